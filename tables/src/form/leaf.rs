@@ -1,0 +1,99 @@
+//! What do the expansions say at a point of the unit cube? Reads branches, leaves, rows and coefficients; writes the three columns.
+
+use super::{Stored, Table};
+use crate::number::Real;
+
+/// The largest number of Chebyshev terms along one axis.
+pub const MAX_TERMS: usize = 24;
+
+/// One bisection: below one half of `axis` go to `low`, else to `high`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Branch {
+    /// 0, 1 or 2.
+    pub axis: u8,
+    /// Next branch, or `!leaf` when negative.
+    pub low: i16,
+    /// Next branch, or `!leaf` when negative.
+    pub high: i16,
+}
+
+/// One piece: where its row lengths and coefficients start, and the terms along each axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Leaf {
+    /// First entry in `rows`.
+    pub row: u32,
+    /// First entry in `coefficients`.
+    pub coefficient: u32,
+    /// Largest number of terms along each axis.
+    pub terms: [u8; 3],
+}
+
+/// The three columns at a point of the unit cube; `None` only for a table that was tampered with.
+pub(super) fn evaluate<S: Real, C: Stored>(table: &Table<C>, point: [S; 3]) -> Option<[S; 3]> {
+    let (leaf, local) = descend(table, point)?;
+    let basis = [
+        chebyshev(local[0], leaf.terms[0]),
+        chebyshev(local[1], leaf.terms[1]),
+        chebyshev(local[2], leaf.terms[2]),
+    ];
+    let mut rows = table.rows.get(leaf.row as usize..)?.iter();
+    let mut coefficients = table.coefficients.get(leaf.coefficient as usize..)?;
+    let mut columns = [S::from_f32(0.0); 3];
+    for column in &mut columns {
+        *column = expansion(&mut rows, &mut coefficients, &basis)?;
+    }
+    Some(columns)
+}
+
+/// Walks to the leaf and to the place in it, each coordinate still in 0..1.
+fn descend<S: Real, C>(table: &Table<C>, mut y: [S; 3]) -> Option<(&'static Leaf, [S; 3])> {
+    let (half, one) = (S::from_f32(0.5), S::from_f32(1.0));
+    let mut next: i16 = if table.branches.is_empty() { !0 } else { 0 };
+    for _ in 0..=table.branches.len() {
+        if next < 0 {
+            return Some((table.leaves.get(!next as usize)?, y));
+        }
+        let branch = table.branches.get(next as usize)?;
+        let place = y.get_mut(branch.axis as usize)?;
+        let above = *place >= half;
+        *place = *place + *place - if above { one } else { S::from_f32(0.0) };
+        next = if above { branch.high } else { branch.low };
+    }
+    None
+}
+
+/// `T_0 .. T_(terms-1)` of `2 y - 1`.
+fn chebyshev<S: Real>(y: S, terms: u8) -> [S; MAX_TERMS] {
+    let one = S::from_f32(1.0);
+    let x = y + y - one;
+    let mut t = [one; MAX_TERMS];
+    t[1] = x;
+    for k in 2..(terms as usize).min(MAX_TERMS) {
+        t[k] = (x + x) * t[k - 1] - t[k - 2];
+    }
+    t
+}
+
+/// One sparse tensor expansion: `sum_i T_i(y0) sum_j T_j(y1) sum_k a_ijk T_k(y2)`.
+fn expansion<S: Real, C: Stored>(
+    rows: &mut core::slice::Iter<'static, u8>,
+    coefficients: &mut &'static [C],
+    basis: &[[S; MAX_TERMS]; 3],
+) -> Option<S> {
+    let zero = S::from_f32(0.0);
+    let mut sum = zero;
+    for &first in &basis[0][..usize::from(*rows.next()?).min(MAX_TERMS)] {
+        let mut plane = zero;
+        for &second in &basis[1][..usize::from(*rows.next()?).min(MAX_TERMS)] {
+            let (row, rest) = coefficients.split_at_checked(usize::from(*rows.next()?))?;
+            *coefficients = rest;
+            let mut line = zero;
+            for (&a, &third) in row.iter().zip(&basis[2]) {
+                line = line + a.get::<S>() * third;
+            }
+            plane = plane + line * second;
+        }
+        sum = sum + plane * first;
+    }
+    Some(sum)
+}
