@@ -1,1 +1,12 @@
-//! carom host
+//! What does `carom` offer on a workstation? Reads scenarios and cases; writes trajectories, tables and pictures.
+//!
+//! The library behind the program `carom`: the reference force-based molecular dynamics, the same
+//! scenario by several methods, and the pictures. Everything the program does can be reached from
+//! here, which is how the tests reach it.
+
+pub mod cli;
+pub mod collide;
+pub mod commands;
+pub mod output;
+pub mod scale;
+pub mod tables;

@@ -1,0 +1,50 @@
+//! Which commands and options are there? Reads the command line; writes nothing, calls one command.
+
+use crate::commands;
+use anyhow::{Result, anyhow};
+use clap::error::ErrorKind;
+use clap::{Parser, Subcommand};
+use std::ffi::OsString;
+
+/// Event-driven molecular dynamics of soft and hard grains, compared with force-based MD.
+///
+/// Without a command: `carom demo`.
+#[derive(Debug, Parser)]
+#[command(name = "carom", version, arg_required_else_help = false)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
+    Collide(commands::collide::Options),
+}
+
+/// Parses the arguments and runs the command.
+///
+/// # Errors
+/// One line: what was wrong with the arguments or the files, and what would be right.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(error) => return refuse(&error),
+    };
+    match arguments.command {
+        Some(Command::Collide(options)) => commands::collide::run(&options),
+        None => anyhow::bail!("the demo is not there yet"),
+    }
+}
+
+/// Help and version are printed as asked; any other complaint becomes one line.
+fn refuse(error: &clap::Error) -> Result<()> {
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        return Ok(error.print()?);
+    }
+    let text = error.to_string();
+    let message = text.split("\n\nUsage:").next().unwrap_or(&text);
+    let message = message.split("\n\nFor more information").next().unwrap_or(message);
+    let words: Vec<&str> = message.trim_start_matches("error: ").split_whitespace().collect();
+    Err(anyhow!("{} (carom --help lists what there is)", words.join(" ")))
+}

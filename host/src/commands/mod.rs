@@ -1,0 +1,3 @@
+//! What does each command do? Reads the options of one command; writes its results.
+
+pub mod collide;

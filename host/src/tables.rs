@@ -1,0 +1,51 @@
+//! Which tables does the program look up? Reads the embedded tables; writes nothing, returns coefficients.
+
+use crate::collide::Restitution;
+use anyhow::{Result, bail};
+use carom_tables::{End, Groups, Law, Scaled, Table};
+use clap::ValueEnum;
+
+/// The size of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Size {
+    /// For the smallest microcontrollers.
+    Compact,
+    /// The default.
+    Standard,
+    /// The whole of MP13's Tables I and II.
+    Wide,
+}
+
+/// One table a law.
+#[derive(Clone, Copy, Debug)]
+pub struct Tables {
+    linear: &'static Table<f32>,
+    viscoelastic: &'static Table<f32>,
+}
+
+impl Tables {
+    /// The tables of one size.
+    ///
+    /// # Errors
+    /// When there is no table of that size.
+    pub fn new(size: Size, end: End) -> Result<Self> {
+        bail!("no {size:?} table for {end:?} yet")
+    }
+
+    fn table(&self, law: Law) -> &'static Table<f32> {
+        match law {
+            Law::LinearDashpot => self.linear,
+            Law::Viscoelastic => self.viscoelastic,
+        }
+    }
+}
+
+impl Restitution for Tables {
+    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<Scaled<f64>> {
+        self.table(law).read(groups)
+    }
+
+    fn clamp(&self, law: Law, groups: &Groups<f64>) -> Groups<f64> {
+        self.table(law).clamp(groups)
+    }
+}
