@@ -2,7 +2,7 @@
 
 use crate::form::{Groups, Scaled};
 use crate::law::{End, Law};
-use crate::series::{Constants, Path, value};
+use crate::series::{Constants, PRECISE, Path, QUICK, value};
 
 /// What one contact leaves behind, before the impact angle is put in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +17,6 @@ pub struct Outcome {
     pub through: bool,
 }
 
-const TOLERANCE: f64 = 1e-17;
 const STEPS: usize = 20_000;
 
 /// Integrates the contact equation (MP13 Eqs. 42, 54) for one collision.
@@ -48,12 +47,29 @@ pub fn integrate(law: Law, end: End, groups: &Groups<f64>) -> Scaled<f64> {
 /// ends where `p` has fallen by many orders of magnitude, and only its relative precision
 /// locates that instant.
 pub fn follow(law: Law, end: End, kappa: f64, eta: f64, c_dis: f64) -> Outcome {
+    run::<PRECISE>(law, end, kappa, eta, c_dis, 1e-17)
+}
+
+/// [`follow`] to about 1e-10, five times faster: for the fit of tables in single precision.
+pub fn follow_quickly(law: Law, end: End, kappa: f64, eta: f64, c_dis: f64) -> Outcome {
+    run::<QUICK>(law, end, kappa, eta, c_dis, 1e-9)
+}
+
+fn run<const N: usize>(
+    law: Law,
+    end: End,
+    kappa: f64,
+    eta: f64,
+    c_dis: f64,
+    tolerance: f64,
+) -> Outcome {
     let c = Constants { kappa, eta, c_dis };
-    let mut path = Path::touch(&c);
+    let mut path = Path::<N>::touch(&c);
     let mut through = false;
+    let scale = reach(law, &c);
     for _ in 0..STEPS {
         expand(law, &mut path, &c);
-        let h = path.step(longest(law, &path, &c), TOLERANCE);
+        let h = path.step(longest(law, &path, &c), tolerance, scale, &c);
         if let Some(h) = ending(law, end, &path, &c, h) {
             path.advance(h);
             return outcome(law, end, &path, &c, through);
@@ -69,7 +85,15 @@ pub fn follow(law: Law, end: End, kappa: f64, eta: f64, c_dis: f64) -> Outcome {
     Outcome { tau: f64::INFINITY, speed: 0.0, sweep: path.sweep[0], through }
 }
 
-fn expand(law: Law, path: &mut Path, c: &Constants) {
+/// About how deep a contact goes: spring, damping and centrifugal push in turn set the limit.
+fn reach(law: Law, c: &Constants) -> f64 {
+    match law {
+        Law::LinearDashpot => 1.0 / (1.0 + c.c_dis + c.kappa),
+        Law::Viscoelastic => 1.0 / libm::sqrt(1.0 + c.kappa + libm::pow(c.c_dis, 2.0 / 3.0)),
+    }
+}
+
+fn expand<const N: usize>(law: Law, path: &mut Path<N>, c: &Constants) {
     match law {
         Law::LinearDashpot => path.expand_linear(c),
         Law::Viscoelastic => path.expand_viscoelastic(c),
@@ -77,7 +101,7 @@ fn expand(law: Law, path: &mut Path, c: &Constants) {
 }
 
 /// The compression `x` at the start of a step.
-fn compression(law: Law, path: &Path) -> f64 {
+fn compression<const N: usize>(law: Law, path: &Path<N>) -> f64 {
     match law {
         Law::LinearDashpot => path.depth[0],
         Law::Viscoelastic => path.depth[0] * path.depth[0],
@@ -85,7 +109,7 @@ fn compression(law: Law, path: &Path) -> f64 {
 }
 
 /// No step may be so long that the damping wipes out what it carries, or that an end hides in it.
-fn longest(law: Law, path: &Path, c: &Constants) -> f64 {
+fn longest<const N: usize>(law: Law, path: &Path<N>, c: &Constants) -> f64 {
     let rate = match law {
         Law::LinearDashpot => 0.7 + c.c_dis * path.q[0],
         Law::Viscoelastic => 0.7 + 2.0 * c.c_dis * compression(law, path) * path.q[0],
@@ -94,7 +118,7 @@ fn longest(law: Law, path: &Path, c: &Constants) -> f64 {
 }
 
 /// Of the two ways to carry the velocity the one that keeps its precision renews the other.
-fn renew(law: Law, path: &mut Path, c: &Constants) {
+fn renew<const N: usize>(law: Law, path: &mut Path<N>, c: &Constants) {
     let x = compression(law, path);
     if c.c_dis >= 1.0 {
         path.v[0] = (path.p[0] - x) / c.c_dis;
@@ -104,7 +128,7 @@ fn renew(law: Law, path: &mut Path, c: &Constants) {
 }
 
 /// Positive while the contact lasts.
-fn lasting(law: Law, end: End, path: &Path, c: &Constants, h: f64) -> f64 {
+fn lasting<const N: usize>(law: Law, end: End, path: &Path<N>, c: &Constants, h: f64) -> f64 {
     let depth = value(&path.depth, h);
     match (end, law) {
         (End::Overlap, _) => depth,
@@ -115,7 +139,13 @@ fn lasting(law: Law, end: End, path: &Path, c: &Constants, h: f64) -> f64 {
 }
 
 /// The step at which the contact ends, when it does so within `h`.
-fn ending(law: Law, end: End, path: &Path, c: &Constants, h: f64) -> Option<f64> {
+fn ending<const N: usize>(
+    law: Law,
+    end: End,
+    path: &Path<N>,
+    c: &Constants,
+    h: f64,
+) -> Option<f64> {
     const SAMPLES: usize = 6;
     let mut low = 0.0;
     for k in 1..=SAMPLES {
@@ -157,7 +187,13 @@ fn bisect(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     high
 }
 
-fn outcome(law: Law, end: End, path: &Path, c: &Constants, through: bool) -> Outcome {
+fn outcome<const N: usize>(
+    law: Law,
+    end: End,
+    path: &Path<N>,
+    c: &Constants,
+    through: bool,
+) -> Outcome {
     let speed = match end {
         _ if c.c_dis == 0.0 => 1.0,
         End::Force if c.c_dis >= 1.0 => compression(law, path) / c.c_dis,

@@ -1,19 +1,31 @@
 //! What are the Taylor coefficients of the next step? Reads the state of a contact; writes its power series in the step variable.
 
-/// Order of the power series.
-pub(crate) const ORDER: usize = 24;
-/// Coefficients of a power series in the step variable, lowest first.
-pub(crate) type Series = [f64; ORDER + 1];
+/// Number of coefficients of a power series in the step variable, lowest first.
+pub(crate) const PRECISE: usize = 23;
+/// Fewer coefficients for a looser tolerance.
+pub(crate) const QUICK: usize = 11;
 
-/// Coefficient `n` of the product of two series (Cauchy).
-#[inline]
-pub(crate) fn product(a: &Series, b: &Series, n: usize) -> f64 {
-    a[..=n].iter().zip(b[..=n].iter().rev()).map(|(x, y)| x * y).sum()
+/// Coefficient `n` of the product of two series (Cauchy). Plain indices: build scripts run unoptimised.
+#[inline(always)]
+fn product<const N: usize>(a: &[f64; N], b: &[f64; N], n: usize) -> f64 {
+    let mut sum = 0.0;
+    let mut i = 0;
+    while i <= n {
+        sum += a[i] * b[n - i];
+        i += 1;
+    }
+    sum
 }
 
 /// The value of a series at `h` (Horner).
-pub(crate) fn value(a: &Series, h: f64) -> f64 {
-    a.iter().rev().fold(0.0, |sum, c| sum * h + c)
+pub(crate) fn value<const N: usize>(a: &[f64; N], h: f64) -> f64 {
+    let mut sum = 0.0;
+    let mut i = N;
+    while i > 0 {
+        i -= 1;
+        sum = sum * h + a[i];
+    }
+    sum
 }
 
 /// The constants of one contact.
@@ -30,21 +42,21 @@ pub(crate) struct Constants {
 /// the velocity `v` and `p = x + c_dis v`, whose zero ends the contact.
 /// `depth` is the compression `x` (linear) or `s = sqrt(x)` (viscoelastic).
 #[derive(Clone, Debug)]
-pub(crate) struct Path {
-    pub depth: Series,
-    pub q: Series,
-    pub u: Series,
-    pub v: Series,
-    pub p: Series,
-    pub time: Series,
-    pub sweep: Series,
+pub(crate) struct Path<const N: usize> {
+    pub depth: [f64; N],
+    pub q: [f64; N],
+    pub u: [f64; N],
+    pub v: [f64; N],
+    pub p: [f64; N],
+    pub time: [f64; N],
+    pub sweep: [f64; N],
 }
 
-impl Path {
+impl<const N: usize> Path<N> {
     /// The first touch: `x = 0`, `x' = 1`.
     pub fn touch(c: &Constants) -> Self {
         let at = |value: f64| {
-            let mut series = [0.0; ORDER + 1];
+            let mut series = [0.0; N];
             series[0] = value;
             series
         };
@@ -54,7 +66,7 @@ impl Path {
 
     /// Linear spring-dashpot with `dt = q ds`: every right-hand side is a polynomial.
     pub fn expand_linear(&mut self, c: &Constants) {
-        for n in 0..ORDER {
+        for n in 0..N - 1 {
             let next = 1.0 / (n + 1) as f64;
             let vq = product(&self.v, &self.q, n);
             let force = -c.kappa * product(&self.u, &self.u, n) - product(&self.q, &self.p, n);
@@ -70,33 +82,37 @@ impl Path {
 
     /// Viscoelastic law with `x = s^2` and `dt = 2 s q dsigma`: the root is gone, all is a polynomial.
     pub fn expand_viscoelastic(&mut self, c: &Constants) {
-        let (mut x, mut sv, mut uu, mut qp) =
-            ([0.0; ORDER + 1], [0.0; ORDER + 1], [0.0; ORDER + 1], [0.0; ORDER + 1]);
-        for n in 0..ORDER {
+        let (mut sq, mut su, mut pull) = ([0.0; N], [0.0; N], [0.0; N]);
+        for n in 0..N - 1 {
             let next = 1.0 / (n + 1) as f64;
-            x[n] = product(&self.depth, &self.depth, n);
-            sv[n] = product(&self.depth, &self.v, n);
-            uu[n] = product(&self.u, &self.u, n);
-            qp[n] = product(&self.q, &self.p, n);
-            let svq = product(&sv, &self.q, n);
-            let force = -2.0 * (c.kappa * product(&self.depth, &uu, n) + product(&x, &qp, n));
-            self.u[n + 1] = 2.0 * c.eta * product(&sv, &self.u, n) * next;
+            sq[n] = product(&self.depth, &self.q, n);
+            su[n] = product(&self.depth, &self.u, n);
+            pull[n] = c.kappa * product(&self.u, &self.u, n) + product(&sq, &self.p, n);
+            let svq = product(&sq, &self.v, n);
+            let force = -2.0 * product(&self.depth, &pull, n);
+            self.u[n + 1] = 2.0 * c.eta * product(&su, &self.v, n) * next;
             self.q[n + 1] = -2.0 * c.eta * svq * next;
-            self.time[n + 1] = 2.0 * product(&self.depth, &self.q, n) * next;
-            self.sweep[n + 1] = 2.0 * product(&self.depth, &self.u, n) * next;
+            self.time[n + 1] = 2.0 * sq[n] * next;
+            self.sweep[n + 1] = 2.0 * su[n] * next;
             self.depth[n + 1] = product(&self.q, &self.v, n) * next;
             self.v[n + 1] = force * next;
             self.p[n + 1] = (2.0 * svq + c.c_dis * force) * next;
         }
     }
 
-    /// The largest step at which the last two terms of every series are below `tolerance` of its largest term.
-    pub fn step(&self, longest: f64, tolerance: f64) -> f64 {
-        let mut h = longest;
-        for series in [&self.depth, &self.q, &self.u, &self.v, &self.p] {
-            h = limit(series, h, tolerance);
+    /// The largest step at which the last two terms of every series are negligible.
+    ///
+    /// Depth and velocity against the size they reach in this contact; of `v` and `p` only the
+    /// one that is carried on, and `p` against its own size, however small it has become.
+    pub fn step(&self, longest: f64, tolerance: f64, scale: f64, c: &Constants) -> f64 {
+        let mut h = limit(&self.depth, longest, tolerance, scale);
+        h = limit(&self.q, h, tolerance, 0.0);
+        h = limit(&self.u, h, tolerance, 0.0);
+        if c.c_dis < 1.0 {
+            limit(&self.v, h, tolerance, 1.0)
+        } else {
+            limit(&self.p, h, tolerance, 0.0)
         }
-        h
     }
 
     /// Moves the origin of every series by `h`; only the constant terms are set.
@@ -116,25 +132,25 @@ impl Path {
 }
 
 /// Shortens `h` until the tail of one series is negligible.
-fn limit(series: &Series, mut h: f64, tolerance: f64) -> f64 {
+fn limit<const N: usize>(series: &[f64; N], mut h: f64, tolerance: f64, scale: f64) -> f64 {
     for _ in 0..40 {
-        let (mut power, mut largest, mut last, mut before) = (1.0, 0.0_f64, 0.0, 0.0);
-        for a in series {
+        let (mut power, mut largest, mut last, mut before) = (1.0, scale, 0.0, 0.0);
+        let mut i = 0;
+        while i < N {
             before = last;
-            last = (a * power).abs();
-            largest = largest.max(last);
+            last = (series[i] * power).abs();
+            if last > largest {
+                largest = last;
+            }
             power *= h;
+            i += 1;
         }
-        let tail = last.max(before);
-        if !(tail > tolerance * largest) && largest.is_finite() {
+        let tail = if last > before { last } else { before };
+        if tail <= tolerance * largest {
             return h;
         }
-        let shrink = if tail.is_finite() && largest.is_finite() {
-            libm::pow(tolerance * largest / tail, 1.0 / ORDER as f64)
-        } else {
-            1e-3
-        };
-        h *= shrink.clamp(1e-3, 0.98);
+        let shrink = libm::pow(tolerance * largest / tail, 1.0 / N as f64);
+        h *= if shrink > 1e-3 { if shrink < 0.98 { shrink } else { 0.98 } } else { 1e-3 };
     }
     h
 }

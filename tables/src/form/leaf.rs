@@ -4,7 +4,7 @@ use super::{Stored, Table};
 use crate::number::Real;
 
 /// The largest number of Chebyshev terms along one axis.
-pub const MAX_TERMS: usize = 24;
+pub const MAX_TERMS: usize = 32;
 
 /// One bisection: below one half of `axis` go to `low`, else to `high`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
