@@ -1,0 +1,270 @@
+//! What happens now? Reads a slot and the rule; writes the bodies it concerns and the counters.
+
+use super::plane;
+use super::scene::{Release, Scene};
+use super::turn::Touch;
+use crate::fault::Fault;
+use crate::law::{Answer, Encounter, Outcome, Response, Rule, Trust};
+use crate::matter::{Body, Partner};
+use crate::number::{Scalar, Vector, all_numbers};
+
+/// What an event did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Deed<S> {
+    /// An instantaneous collision with this coefficient of restitution.
+    Collision {
+        /// ε.
+        restitution: S,
+    },
+    /// A contact began (E^φ).
+    Contact(Outcome<S>),
+    /// A contact ended (E^v).
+    Release,
+    /// A third body came before the contact's end, which was drawn forward to now.
+    Interruption,
+    /// The neighbours were looked at again.
+    Leash,
+}
+
+/// The grains whose events must be predicted anew.
+pub(crate) type Touched = heapless::Vec<usize, 4>;
+
+/// Grain `i` meets its partner.
+pub(crate) fn meet<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    rule: &impl Rule<S>,
+    i: usize,
+    partner: Partner,
+    touched: &mut Touched,
+) -> Result<Deed<S>, Fault> {
+    let _ = touched.push(i);
+    let other = partner.as_grain();
+    if let Some(k) = other {
+        let _ = touched.push(k);
+    }
+    if interrupt(scene, [Some(i), other], touched) {
+        return Ok(Deed::Interruption);
+    }
+    match (other, partner.as_plane()) {
+        (Some(k), _) => grains(scene, rule, i, k),
+        (None, Some(p)) => plane::meet(scene, rule, i, p),
+        (None, None) => Ok(Deed::Leash),
+    }
+}
+
+/// Ends the contacts that the grains are in before their time (MP13 §VI.B.5, exception b).
+///
+/// Only that: if the two still approach each other afterwards, they meet again at this instant.
+fn interrupt<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    grains: [Option<usize>; 2],
+    touched: &mut Touched,
+) -> bool {
+    let mut any = false;
+    for i in grains.into_iter().flatten() {
+        if scene.body(i).is_some_and(Body::in_contact) {
+            scene.counters.interrupted += 1;
+            end_contact(scene, i, touched);
+            any = true;
+        }
+    }
+    any
+}
+
+/// The contact of grain `i` ends at its time.
+pub(crate) fn release<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    i: usize,
+    touched: &mut Touched,
+) -> Deed<S> {
+    let _ = touched.push(i);
+    let before = touched.len();
+    end_contact(scene, i, touched);
+    scene.counters.releases += 1 + u64::from(touched.len() > before);
+    Deed::Release
+}
+
+/// E^v for grain `i`, and for its partner too if they are released as a pair.
+fn end_contact<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    i: usize,
+    touched: &mut Touched,
+) {
+    let partner = scene.body(i).and_then(|body| body.partner.as_grain());
+    if let Some(k) = partner.filter(|&k| scene.release == Release::Paired && scene.bound(i, k)) {
+        set_free(scene, k);
+        if !touched.contains(&k) {
+            let _ = touched.push(k);
+        }
+    }
+    set_free(scene, i);
+}
+
+/// Gives a grain the velocity its contact left for it (MP13 §VI.B.3).
+fn set_free<S: Scalar, const D: usize>(scene: &mut Scene<'_, S, D>, i: usize) {
+    let body = scene.present(i);
+    let plane = body.partner.as_plane().and_then(|p| scene.boundary.planes().get(p));
+    let velocity = match plane {
+        Some(plane) => without(&body.velocity, &plane.normal) + body.release,
+        None => body.velocity + body.release,
+    };
+    let free = Body {
+        velocity,
+        release: Vector::zeros(),
+        release_at: S::NEVER,
+        partner: Partner::NOTHING,
+        ..body
+    };
+    scene.place(i, free);
+}
+
+/// The part of a vector across a unit vector.
+pub(super) fn without<S: Scalar, const D: usize>(
+    v: &Vector<S, D>,
+    n: &Vector<S, D>,
+) -> Vector<S, D> {
+    v - n * n.dot(v)
+}
+
+/// Asks the rule, counts how far its answer can be trusted, and checks that it is one.
+pub(super) fn ask<S: Scalar>(
+    rule: &impl Rule<S>,
+    encounter: &Encounter<S>,
+    counters: &mut super::scene::Counters,
+    who: (usize, Partner),
+) -> Result<Response<S>, Fault> {
+    let Answer { response, trust } = rule.meet(encounter);
+    match trust {
+        Trust::Inside => {}
+        Trust::Clamped => counters.clamped += 1,
+        Trust::HardSphere => counters.hard_sphere += 1,
+    }
+    match response {
+        Response::Instant(e) => sound(e, "restitution", false)?,
+        Response::Lasting(o) => {
+            sound(o.restitution, "restitution", false)?;
+            sound(o.duration, "duration", false)?;
+            sound(o.separation, "separation", true)?;
+            sound(o.angle, "angle", false)?;
+        }
+        Response::Refused { eta, c_dis } => return Err(refused(encounter, who, eta, c_dis)),
+    }
+    Ok(response)
+}
+
+fn refused<S: Scalar>(
+    e: &Encounter<S>,
+    (grain, with): (usize, Partner),
+    eta: S,
+    c_dis: S,
+) -> Fault {
+    let (n, t) = (e.normal_speed.to_f64(), e.tangential_speed.to_f64());
+    let eccentricity = t / libm::hypot(n, t);
+    Fault::OutsideTable { grain, with, eccentricity, eta: eta.to_f64(), c_dis: c_dis.to_f64() }
+}
+
+fn sound<S: Scalar>(value: S, field: &'static str, positive: bool) -> Result<(), Fault> {
+    if value.is_number() && (value > S::zero() || (!positive && value >= S::zero())) {
+        return Ok(());
+    }
+    let wanted = if positive { "finite and above 0" } else { "finite and at least 0" };
+    Err(Fault::BadRule { field, value: value.to_f64(), wanted })
+}
+
+/// Two grains touch.
+fn grains<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    rule: &impl Rule<S>,
+    i: usize,
+    k: usize,
+) -> Result<Deed<S>, Fault> {
+    let pair = [scene.present(i), scene.present(k)];
+    let [a, b] = &pair;
+    let Some(touch) = Touch::new(scene.separation(a, b), a.velocity - b.velocity) else {
+        return Err(Fault::Overlap {
+            grain: i,
+            with: Partner::grain(k),
+            gap: -(a.radius + b.radius).to_f64(),
+        });
+    };
+    let encounter = touch.encounter(a, b);
+    let response = ask(rule, &encounter, &mut scene.counters, (i, Partner::grain(k)))?;
+    scene.counters.collisions += 1;
+    match response {
+        Response::Lasting(outcome) => Ok(contact(scene, [i, k], &pair, &touch, &outcome)),
+        Response::Instant(restitution) => Ok(bounce(scene, [i, k], &pair, &touch, restitution)),
+        Response::Refused { .. } => Ok(Deed::Leash),
+    }
+}
+
+/// An instantaneous collision of two grains (MP13 Eq. 63 with the signs right; BSFP14 Eq. 5).
+fn bounce<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    who: [usize; 2],
+    [a, b]: &[Body<S, D>; 2],
+    touch: &Touch<S, D>,
+    restitution: S,
+) -> Deed<S> {
+    let change = touch.e_r * (-(S::one() + restitution) * touch.radial);
+    let mass = a.mass + b.mass;
+    let [i, k] = who;
+    scene.place(i, Body { velocity: a.velocity + change * (b.mass / mass), ..*a });
+    scene.place(k, Body { velocity: b.velocity - change * (a.mass / mass), ..*b });
+    Deed::Collision { restitution }
+}
+
+/// E^φ: the line of centres turns, both grains take the velocity of their centre of mass, and what
+/// they will have after the contact is kept for E^v (MP13 §VI.B.2).
+fn contact<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    who: [usize; 2],
+    pair: &[Body<S, D>; 2],
+    touch: &Touch<S, D>,
+    outcome: &Outcome<S>,
+) -> Deed<S> {
+    let [a, b] = pair;
+    let [i, k] = who;
+    let (separation, velocity) = touch.after(a.radius + b.radius, outcome);
+    let mass = a.mass + b.mass;
+    let (share_a, share_b) = (b.mass / mass, -(a.mass / mass));
+    let moved = separation - scene.separation(a, b);
+    let (at_a, at_b) = (a.position + moved * share_a, b.position + moved * share_b);
+    if !(scene.is_free(i, at_a, Partner::grain(k)) && scene.is_free(k, at_b, Partner::grain(i))) {
+        scene.counters.rotation_refused += 1;
+        return bounce(scene, who, pair, touch, outcome.restitution);
+    }
+    let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / mass);
+    let release_at = scene.now + outcome.duration;
+    let bound = |body: &Body<S, D>, position, share, partner| Body {
+        position,
+        velocity: centre,
+        release: velocity * share,
+        release_at,
+        partner: Partner::grain(partner),
+        ..*body
+    };
+    scene.place(i, bound(a, at_a, share_a, k));
+    scene.place(k, bound(b, at_b, share_b, i));
+    Deed::Contact(*outcome)
+}
+
+/// Whether a body can still be computed with; the field that cannot.
+pub(crate) fn broken<S: Scalar, const D: usize>(body: &Body<S, D>) -> Option<&'static str> {
+    if !all_numbers(&body.position) {
+        return Some("position");
+    }
+    (!all_numbers(&body.velocity) || !all_numbers(&body.release)).then_some("velocity")
+}
+
+/// Grain `i` has flown far: its position is brought back into the box, nothing else changes.
+pub(crate) fn leash<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    i: usize,
+    touched: &mut Touched,
+) -> Deed<S> {
+    let _ = touched.push(i);
+    scene.counters.leashes += 1;
+    let body = scene.present(i);
+    scene.place(i, body);
+    Deed::Leash
+}

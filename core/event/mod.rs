@@ -1,0 +1,13 @@
+//! What is the life of one event? predict (when?), queue (who is next?), apply (now); reads matter and law.
+
+pub(crate) mod apply;
+mod plane;
+pub(crate) mod predict;
+pub(crate) mod queue;
+pub mod root;
+pub(crate) mod scene;
+pub(crate) mod turn;
+
+pub use apply::Deed;
+pub use queue::{Kind, Slot};
+pub use scene::{Counters, Release};

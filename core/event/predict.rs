@@ -1,0 +1,100 @@
+//! When is a grain's next event? Reads the scene; writes nothing, returns the earliest slot.
+
+use super::queue::{Kind, Slot};
+use super::root;
+use super::scene::Scene;
+use crate::matter::{Body, Boundary, Partner, Plane};
+use crate::number::Scalar;
+
+/// The earliest event of this grain.
+pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
+    let me = scene.present(grain);
+    let mut slot = release(&me);
+    for k in (0..scene.bodies.len()).filter(|&k| k != grain) {
+        if let Some(span) = pair(scene, grain, &me, k) {
+            earlier(&mut slot, meeting(scene, span, Partner::grain(k)));
+        }
+    }
+    for (p, plane) in scene.boundary.planes().iter().enumerate() {
+        if let Some(span) = against(scene, &me, p, plane) {
+            earlier(&mut slot, meeting(scene, span, Partner::plane(p)));
+        }
+    }
+    if let Some(span) = leash(scene, &me) {
+        earlier(&mut slot, Slot::alone(scene.now + span, Kind::Leash));
+    }
+    slot
+}
+
+/// Whether a predicted event is void because the partner's trajectory has changed since.
+pub(crate) fn is_stale<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, slot: &Slot<S>) -> bool {
+    let partner = slot.partner.as_grain().and_then(|k| scene.body(k));
+    partner.is_some_and(|body| body.stamp != slot.stamp)
+}
+
+/// When the two touch: BSFP14's rule. Uniform gravity leaves their relative motion straight.
+///
+/// A pair in contact has one velocity copied twice; it is skipped so that rounding of two clocks
+/// cannot make it meet itself.
+fn pair<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    grain: usize,
+    me: &Body<S, D>,
+    k: usize,
+) -> Option<S> {
+    if scene.bound(grain, k) {
+        return None;
+    }
+    let other = scene.present(k);
+    let velocity = me.velocity - other.velocity;
+    root::spheres(&scene.separation(me, &other), &velocity, me.radius + other.radius)
+}
+
+/// When the grain touches a plane. The plane it is in contact with does not count.
+fn against<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+    number: usize,
+    plane: &Plane<S, D>,
+) -> Option<S> {
+    if me.partner == Partner::plane(number) {
+        return None;
+    }
+    let gap = plane.gap(&me.position, me.radius);
+    root::plane(gap, plane.normal.dot(&me.velocity), plane.normal.dot(&scene.gravity))
+}
+
+/// When the grain has flown to the end of its leash along a periodic axis.
+fn leash<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -> Option<S> {
+    let mut first = None::<S>;
+    for (axis, periodic) in scene.boundary.periodic_axes() {
+        let far = Boundary::<S, D>::leash(&periodic, scene.largest_radius);
+        let (v, g) = (me.velocity.get(axis), scene.gravity.get(axis));
+        let span = v.zip(g).and_then(|(&v, &g)| root::leaving(far, v, g));
+        first = match (first, span) {
+            (Some(a), Some(b)) => Some(a.smaller(b)),
+            (a, b) => a.or(b),
+        };
+    }
+    first
+}
+
+fn release<S: Scalar, const D: usize>(me: &Body<S, D>) -> Slot<S> {
+    if me.in_contact() { Slot::alone(me.release_at, Kind::Release) } else { Slot::EMPTY }
+}
+
+fn meeting<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    span: S,
+    partner: Partner,
+) -> Slot<S> {
+    let stamp = partner.as_grain().and_then(|k| scene.body(k)).map_or(0, |body| body.stamp);
+    Slot { time: scene.now + span, kind: Kind::Meet, partner, stamp }
+}
+
+/// Keeps the earlier of two; at equal times the one that was there. NaN and infinity never win.
+fn earlier<S: Scalar>(slot: &mut Slot<S>, candidate: Slot<S>) {
+    if candidate.time < slot.time {
+        *slot = candidate;
+    }
+}

@@ -1,0 +1,112 @@
+//! Which scales does a force law set? Reads material and encounter; writes T, X and c_dis.
+
+use super::Encounter;
+use crate::fault::{Fault, Subject};
+use crate::number::Scalar;
+use carom_tables::Law;
+
+/// The scales of one encounter (MP13, Sec. V).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scales<S> {
+    /// The unit of time T.
+    pub time: S,
+    /// The unit of length X = T v_n.
+    pub length: S,
+    /// The scaled dissipation c_dis.
+    pub c_dis: S,
+}
+
+/// A normal force law between smooth spheres.
+pub trait ForceLaw<S: Scalar> {
+    /// Which of the tabulated laws this is.
+    const LAW: Law;
+    /// The scales it sets in an encounter.
+    fn scales(&self, encounter: &Encounter<S>) -> Scales<S>;
+    /// Whether the parameters make sense.
+    ///
+    /// # Errors
+    /// A [`Fault::Input`] that names the parameter.
+    fn check(&self) -> Result<(), Fault>;
+}
+
+/// Linear spring-dashpot: F_n = k (l − r) − γ ṙ (MP13 Eq. 40).
+///
+/// # Units
+/// `stiffness` k in N/m, `damping` γ in kg/s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearDashpot<S> {
+    /// Spring constant k > 0.
+    pub stiffness: S,
+    /// Dissipative parameter γ ≥ 0.
+    pub damping: S,
+}
+
+/// Viscoelastic spheres: F_n = ρ (l − r)^{3/2} − (3/2) A ρ ṙ (l − r)^{1/2} (MP13 Eq. 51).
+///
+/// # Units
+/// `young` Y in Pa, `poisson` ν without unit, `dissipation` A in s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viscoelastic<S> {
+    /// Young's modulus Y > 0.
+    pub young: S,
+    /// Poisson's ratio −1 < ν ≤ 1/2.
+    pub poisson: S,
+    /// Dissipative parameter A ≥ 0.
+    pub dissipation: S,
+}
+
+impl<S: Scalar> ForceLaw<S> for LinearDashpot<S> {
+    const LAW: Law = Law::LinearDashpot;
+
+    /// T = 1/ω = sqrt(m_eff/k), c_dis = γ T/m_eff (MP13 Eqs. 41, 43).
+    fn scales(&self, encounter: &Encounter<S>) -> Scales<S> {
+        let time = (encounter.reduced_mass / self.stiffness).sqrt();
+        let c_dis = self.damping * time / encounter.reduced_mass;
+        Scales { time, length: time * encounter.normal_speed, c_dis }
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        positive("stiffness", self.stiffness)?;
+        not_negative("damping", self.damping)
+    }
+}
+
+impl<S: Scalar> ForceLaw<S> for Viscoelastic<S> {
+    const LAW: Law = Law::Viscoelastic;
+
+    /// T = k^{−2/5} v_n^{−1/5} with k = ρ/m_eff, c_dis = 3A/(2T) (MP13 Eqs. 52–54).
+    fn scales(&self, encounter: &Encounter<S>) -> Scales<S> {
+        let one = S::one();
+        let two_thirds = S::from_f64(2.0 / 3.0);
+        let rho = two_thirds * self.young * encounter.effective_radius.sqrt()
+            / (one - self.poisson * self.poisson);
+        let k = rho / encounter.reduced_mass;
+        let time = k.inverse_fifth_root() * (k * encounter.normal_speed).inverse_fifth_root();
+        let c_dis = S::from_f64(1.5) * self.dissipation / time;
+        Scales { time, length: time * encounter.normal_speed, c_dis }
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        positive("young", self.young)?;
+        not_negative("dissipation", self.dissipation)?;
+        let nu = self.poisson;
+        if nu > -S::one() && nu <= S::half() {
+            return Ok(());
+        }
+        Err(Fault::input(Subject::Rule, "poisson", nu.to_f64(), "above -1 and at most 0.5"))
+    }
+}
+
+fn positive<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
+    if value > S::zero() && value.is_number() {
+        return Ok(());
+    }
+    Err(Fault::input(Subject::Rule, field, value.to_f64(), "finite and above 0"))
+}
+
+fn not_negative<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
+    if value >= S::zero() && value.is_number() {
+        return Ok(());
+    }
+    Err(Fault::input(Subject::Rule, field, value.to_f64(), "finite and at least 0"))
+}

@@ -1,0 +1,53 @@
+//! What do hard spheres do? Instantaneous collisions with constant or velocity-dependent restitution.
+
+use super::{Answer, Encounter, Response, Rule};
+use crate::fault::{Fault, Subject};
+use crate::number::Scalar;
+
+/// Hard spheres with a constant coefficient of restitution (eMD).
+///
+/// ```
+/// use carom::law::HardSphere;
+/// let steel = HardSphere { restitution: 0.95_f64 };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HardSphere<S> {
+    /// Coefficient of restitution 0 ≤ ε ≤ 1.
+    pub restitution: S,
+}
+
+impl<S: Scalar> Rule<S> for HardSphere<S> {
+    fn meet(&self, _: &Encounter<S>) -> Answer<S> {
+        Answer::sure(Response::Instant(self.restitution))
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        let e = self.restitution;
+        if e >= S::zero() && e <= S::one() {
+            return Ok(());
+        }
+        Err(Fault::input(Subject::Rule, "restitution", e.to_f64(), "between 0 and 1"))
+    }
+}
+
+/// Hard spheres with the coefficient of restitution ε(v_n) of another rule's central collision.
+///
+/// This is eMD as MP13 compares it with: the law's own ε, but no duration and no rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Central<R>(pub R);
+
+impl<S: Scalar, R: Rule<S>> Rule<S> for Central<R> {
+    fn meet(&self, encounter: &Encounter<S>) -> Answer<S> {
+        let central = Encounter { tangential_speed: S::zero(), ..*encounter };
+        let answer = self.0.meet(&central);
+        let response = match answer.response {
+            Response::Lasting(outcome) => Response::Instant(outcome.restitution),
+            other => other,
+        };
+        Answer { response, ..answer }
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        self.0.check()
+    }
+}

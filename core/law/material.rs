@@ -1,0 +1,36 @@
+//! Which rule holds between two materials? Reads the materials of an encounter; asks the pair's rule.
+
+use super::{Answer, Encounter, Rule};
+use crate::fault::{Fault, Subject};
+use crate::number::Scalar;
+
+/// A rule for each pair of `M` materials.
+///
+/// Row and column are the grains' `material` numbers; the order of the two does not matter: the
+/// entry at [smaller][larger] is used. A material of `M` or more is answered with the last rule.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ByMaterial<R, const M: usize>(pub [[R; M]; M]);
+
+impl<R, const M: usize> ByMaterial<R, M> {
+    fn rule(&self, materials: [u8; 2]) -> Option<&R> {
+        let last = M.saturating_sub(1);
+        let [a, b] = materials.map(|m| usize::from(m).min(last));
+        self.0.get(a.min(b))?.get(a.max(b))
+    }
+}
+
+impl<S: Scalar, R: Rule<S>, const M: usize> Rule<S> for ByMaterial<R, M> {
+    fn meet(&self, encounter: &Encounter<S>) -> Answer<S> {
+        match self.rule(encounter.materials) {
+            Some(rule) => rule.meet(encounter),
+            None => Answer::sure(super::Response::Instant(S::one())),
+        }
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        if M == 0 {
+            return Err(Fault::input(Subject::Rule, "materials", 0.0, "at least 1"));
+        }
+        self.0.iter().flatten().try_for_each(Rule::check)
+    }
+}

@@ -1,0 +1,131 @@
+//! What does a soft contact do? The matrix of restitution of MP13 from a table; reads an encounter, writes its outcome.
+
+use super::force::{ForceLaw, Scales};
+use super::{
+    Answer, Encounter, LinearDashpot, Outcome, Response, Rule, Trust, Viscoelastic, tables,
+};
+use crate::fault::Fault;
+use crate::number::Scalar;
+use carom_tables::{Groups, Scaled, Table};
+
+/// What to do with an encounter outside the table's domain. It is counted in any case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// Stop with a fault.
+    Reject,
+    /// Use the nearest encounter inside the domain.
+    Clamp,
+    /// Use the hard-sphere rule with the restitution of the (clamped) central collision.
+    HardSphere,
+}
+
+/// eMD*: a contact that lasts, turns and gives back what the law's table says.
+///
+/// The table's certificate tells domain and largest error; `C` is the number it is stored in.
+#[derive(Clone, Copy, Debug)]
+pub struct Soft<L, C: 'static = f32> {
+    law: L,
+    table: &'static Table<C>,
+    outside: Outside,
+}
+
+impl<S: Scalar> Soft<LinearDashpot<S>, tables::Stored> {
+    /// The linear spring-dashpot with the default embedded table.
+    #[must_use]
+    pub fn linear_dashpot(law: LinearDashpot<S>, outside: Outside) -> Self {
+        Self::with_table(law, tables::linear_dashpot(), outside)
+    }
+}
+
+impl<S: Scalar> Soft<Viscoelastic<S>, tables::Stored> {
+    /// Viscoelastic spheres with the default embedded table.
+    #[must_use]
+    pub fn viscoelastic(law: Viscoelastic<S>, outside: Outside) -> Self {
+        Self::with_table(law, tables::viscoelastic(), outside)
+    }
+}
+
+impl<L, C> Soft<L, C> {
+    /// Any force law with any table made for it.
+    #[must_use]
+    pub const fn with_table(law: L, table: &'static Table<C>, outside: Outside) -> Self {
+        Self { law, table, outside }
+    }
+}
+
+impl<S, L, C> Rule<S> for Soft<L, C>
+where
+    S: Scalar,
+    L: ForceLaw<S>,
+    C: tables::Number,
+{
+    fn meet(&self, encounter: &Encounter<S>) -> Answer<S> {
+        let scales = self.law.scales(encounter);
+        let groups = groups(encounter, &scales);
+        if let Some(scaled) = self.table.read(&groups) {
+            return Answer::sure(Response::Lasting(outcome(&scaled, &scales)));
+        }
+        match self.outside {
+            Outside::Reject => refused(&groups),
+            Outside::Clamp => self.clamped(&groups, &scales),
+            Outside::HardSphere => self.central(&groups),
+        }
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        self.law.check()
+    }
+}
+
+impl<L, C: tables::Number> Soft<L, C> {
+    fn clamped<S: Scalar>(&self, groups: &Groups<S>, scales: &Scales<S>) -> Answer<S> {
+        match self.table.read(&self.table.clamp(groups)) {
+            Some(scaled) => Answer {
+                response: Response::Lasting(outcome(&scaled, scales)),
+                trust: Trust::Clamped,
+            },
+            None => refused(groups),
+        }
+    }
+
+    fn central<S: Scalar>(&self, groups: &Groups<S>) -> Answer<S> {
+        let central = Groups { sin: S::zero(), cos: S::one(), eta: S::zero(), c_dis: groups.c_dis };
+        match self.table.read(&self.table.clamp(&central)) {
+            Some(scaled) => {
+                Answer { response: Response::Instant(scaled.speed), trust: Trust::HardSphere }
+            }
+            None => refused(groups),
+        }
+    }
+}
+
+/// The scaled groups of an encounter: e = sin α, cos α, 1/l̃ and c_dis (MP13 Eqs. 43, 45, 47).
+fn groups<S: Scalar>(encounter: &Encounter<S>, scales: &Scales<S>) -> Groups<S> {
+    let (n, t) = (encounter.normal_speed, encounter.tangential_speed);
+    let eta = scales.length / encounter.reach;
+    if !(t > S::zero()) {
+        return Groups { sin: S::zero(), cos: S::one(), eta, c_dis: scales.c_dis };
+    }
+    // The larger of the two is divided out first: the squares can neither overflow nor vanish.
+    let large = n.larger(t);
+    let (a, b) = (n / large, t / large);
+    let norm = (a * a + b * b).sqrt();
+    Groups { sin: b / norm, cos: a / norm, eta, c_dis: scales.c_dis }
+}
+
+fn outcome<S: Scalar>(scaled: &Scaled<S>, scales: &Scales<S>) -> Outcome<S> {
+    Outcome {
+        duration: scaled.tau * scales.time,
+        restitution: scaled.speed,
+        separation: scaled.separation,
+        angle: scaled.angle,
+    }
+}
+
+fn refused<S>(groups: &Groups<S>) -> Answer<S>
+where
+    S: Scalar,
+{
+    let response = Response::Refused { eta: groups.eta, c_dis: groups.c_dis };
+    Answer { response, trust: Trust::HardSphere }
+}

@@ -1,0 +1,69 @@
+//! What is carom? Event-driven molecular dynamics of soft and hard grains; reads a description, writes trajectories.
+//!
+//! Grains fly freely, touch, and part. Between contacts nothing needs to be computed, so carom jumps
+//! from one event to the next. A contact is not taken to be instantaneous: how long it lasts, by how
+//! much the line of centres turns, how far apart and how fast the grains leave it are read from a
+//! certified table, the *matrix of restitution* of Müller & Pöschel (Phys. Rev. E 87, 033301, 2013).
+//! Events are detected by the rule of Bannerman et al. (Comput. Part. Mech. 1, 191, 2014), which
+//! finite precision cannot break.
+//!
+//! No allocator, no unsafe code, no panic: the same engine on a microcontroller and a workstation.
+//!
+//! # The rooms, each looks down only
+//! * [`number`]: what a value is.
+//! * [`matter`]: what moves, and in which space.
+//! * [`law`]: what a contact does.
+//! * [`event`]: predict, queue, apply.
+//! * [`world`]: the user's handle.
+//! * [`fault`]: every way it can say no.
+//!
+//! # Example: a viscoelastic pair
+//! ```
+//! use carom::law::{Outside, Soft, Viscoelastic};
+//! use carom::{Grain, Memory, World};
+//!
+//! let rubber = Viscoelastic { young: 5.0e6, poisson: 0.4, dissipation: 1.0e-4 };
+//! let mut memory = Memory::<f32, 2, 32>::new();
+//! let mut world = World::setup(&mut memory)
+//!     .walls([[0.0, 0.05], [0.0, 0.05]])
+//!     .gravity([0.0, -9.81])
+//!     .rule(Soft::viscoelastic(rubber, Outside::HardSphere))
+//!     .grain(Grain::sphere(1.0e-3, 2500.0).at([0.01, 0.02]).moving([0.1, 0.0]))?
+//!     .grain(Grain::sphere(2.0e-3, 2500.0).at([0.03, 0.02]).moving([-0.1, 0.0]))?
+//!     .start()?;
+//! world.advance_to(0.1)?;
+//! world.set_gravity([9.81, 0.0])?; // between events, in the middle of a contact too
+//! world.advance_to(0.2)?;
+//! assert!(world.counters().plane_collisions > 0);
+//! # Ok::<(), carom::Fault>(())
+//! ```
+#![no_std]
+#![warn(clippy::pedantic)]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::indexing_slicing,
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::todo
+    )
+)]
+#![allow(clippy::module_name_repetitions, clippy::must_use_candidate)]
+
+#[cfg(test)]
+extern crate std;
+
+pub mod event;
+pub mod fault;
+pub mod law;
+pub mod matter;
+pub mod number;
+pub mod world;
+
+pub use event::{Counters, Release};
+pub use fault::Fault;
+pub use matter::Grain;
+pub use number::{Instant, Scalar};
+pub use world::{Lend, Memory, View, Watch, World};

@@ -1,0 +1,89 @@
+//! How do f32 and f64 count? The engine's operations on the two floating-point types.
+
+use super::Scalar;
+
+const TICKS_PER_UNIT: f64 = 18_446_744_073_709_551_616.0;
+
+/// One step towards x^(−1/5), of third order: y ← y (1 + r/5 + 3 r²/25) with r = 1 − x y⁵.
+///
+/// Only + − · are used, so every target gives the same bits.
+fn refine<S: Scalar>(x: S, y: S) -> S {
+    let y2 = y * y;
+    let r = S::one() - x * (y2 * y2 * y);
+    y + y * (r * (S::from_f64(0.2) + S::from_f64(0.12) * r))
+}
+
+/// A first guess of x^(−1/5) for x in [1/2, 16), good to a few per cent: two chords.
+fn guess<S: Scalar>(x: S) -> S {
+    if x < S::from_f32(3.0) {
+        S::from_f32(1.2) - S::from_f32(0.14) * x
+    } else {
+        S::from_f32(0.83) - S::from_f32(0.018) * x
+    }
+}
+
+macro_rules! float {
+    ($t:ty, $bits:ty, $sincos:path, $floor:path, $frexp:path, $ldexp:path, $mantissa:expr, $per_epoch:expr) => {
+        impl Scalar for $t {
+            const NEVER: Self = <$t>::INFINITY;
+            const EVENTS_PER_EPOCH: u32 = $per_epoch;
+
+            fn is_number(self) -> bool {
+                self.is_finite()
+            }
+            fn sine_cosine(self) -> (Self, Self) {
+                $sincos(self)
+            }
+            fn round_down(self) -> Self {
+                $floor(self)
+            }
+            fn power_of_two_below(self) -> Self {
+                <$t>::from_bits(self.to_bits() & !(((1 as $bits) << $mantissa) - 1))
+            }
+            fn inverse_fifth_root(self) -> Self {
+                if self <= 0.0 || !self.is_finite() {
+                    return if self > 0.0 { 0.0 } else { <$t>::INFINITY };
+                }
+                let (mantissa, exponent) = $frexp(self);
+                let rest = $ldexp(mantissa, exponent.rem_euclid(5));
+                let root = (0..4).fold(guess(rest), |y, _| refine(rest, y));
+                $ldexp(root, -exponent.div_euclid(5))
+            }
+            fn bits(self) -> u64 {
+                u64::from(self.to_bits())
+            }
+            fn to_ticks(self) -> i128 {
+                (f64::from(self) * TICKS_PER_UNIT) as i128
+            }
+            fn from_ticks(ticks: i128) -> Self {
+                // Whole and fractional part apart would round twice; one conversion rounds once.
+                ((ticks as f64) / TICKS_PER_UNIT) as $t
+            }
+        }
+    };
+}
+
+float!(f32, u32, libm::sincosf, libm::floorf, libm::frexpf, libm::ldexpf, 23, 2);
+float!(f64, u64, libm::sincos, libm::floor, libm::frexp, libm::ldexp, 52, 64);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverse_fifth_root_is_within_two_units_in_the_last_place() {
+        for i in 0..20_000 {
+            let x = libm::pow(10.0, -300.0 + 0.03 * f64::from(i));
+            let y = x.inverse_fifth_root();
+            let back = y * y * y * y * y * x;
+            assert!((back - 1.0).abs() < 5e-15, "{x}: {back}");
+        }
+    }
+
+    #[test]
+    fn a_power_of_two_is_the_one_below() {
+        assert_eq!(5.3_f32.power_of_two_below(), 4.0);
+        assert_eq!(4.0_f64.power_of_two_below(), 4.0);
+        assert_eq!(0.3_f64.power_of_two_below(), 0.25);
+    }
+}

@@ -1,0 +1,87 @@
+//! When is now? A point in time that does not lose precision as it grows; reads and writes nothing.
+
+use super::Scalar;
+use core::fmt;
+
+/// A point in time since the start, in steps of 2⁻⁶⁴ of the time unit.
+///
+/// It reaches ±2⁶³ units. Sums and differences are exact, so an `f32` world after 10⁶ s tells two
+/// instants apart as finely as at its start. Only spans (differences) are of the world's scalar.
+///
+/// # Units
+/// The time unit of the simulation; seconds if everything is in SI. Choose units in which a contact
+/// lasts longer than about 10⁻¹⁵, so that 2⁻⁶⁴ stays far below anything that matters.
+///
+/// ```
+/// use carom::Instant;
+/// let late = Instant::from(1.0e6_f64) + Instant::from(1.0e-9_f32);
+/// assert!((late.since::<f32>(Instant::from(1.0e6_f64)) - 1.0e-9).abs() < 1e-16);
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Instant {
+    whole: i64,
+    part: u64,
+}
+
+impl Instant {
+    /// The start.
+    pub const START: Self = Self { whole: 0, part: 0 };
+
+    /// How long after `earlier` this is, rounded to the nearest `S`; negative if it is before.
+    #[must_use]
+    pub fn since<S: Scalar>(self, earlier: Self) -> S {
+        S::from_ticks(self.ticks().saturating_sub(earlier.ticks()))
+    }
+
+    /// This instant as a number of time units; rounded.
+    #[must_use]
+    pub fn as_f64(self) -> f64 {
+        f64::from_ticks(self.ticks())
+    }
+
+    /// Its two words, for a digest.
+    #[expect(clippy::cast_sign_loss, reason = "the bits are meant")]
+    pub(crate) fn words(self) -> (u64, u64) {
+        (self.whole as u64, self.part)
+    }
+
+    fn ticks(self) -> i128 {
+        (i128::from(self.whole) << 64) | i128::from(self.part)
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the two halves of a split"
+    )]
+    fn from_ticks(ticks: i128) -> Self {
+        Self { whole: (ticks >> 64) as i64, part: ticks as u64 }
+    }
+}
+
+impl<S: Scalar> From<S> for Instant {
+    /// The instant this long after the start; a NaN is the start.
+    fn from(span: S) -> Self {
+        Self::from_ticks(span.to_ticks())
+    }
+}
+
+impl core::ops::Add for Instant {
+    type Output = Self;
+    fn add(self, span: Self) -> Self {
+        Self::from_ticks(self.ticks().saturating_add(span.ticks()))
+    }
+}
+
+impl fmt::Debug for Instant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.as_f64())
+    }
+}
+
+impl fmt::Display for Instant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.as_f64().fmt(f)
+    }
+}

@@ -1,0 +1,51 @@
+//! Who owns the arrays? The only type with a capacity; reads nothing, lends slices.
+
+use crate::event::Slot;
+use crate::matter::Body;
+use crate::number::Scalar;
+
+/// What a world borrows: three slices, the shortest of which says how many grains fit.
+pub struct Room<'m, S: Scalar, const D: usize> {
+    /// One body for each grain.
+    pub bodies: &'m mut [Body<S, D>],
+    /// One pending event for each grain.
+    pub slots: &'m mut [Slot<S>],
+    /// The tournament tree: one word for each grain.
+    pub tree: &'m mut [u32],
+}
+
+/// Something a world can live in.
+///
+/// [`Memory`] is one; a host implements it for its vectors.
+pub trait Lend<S: Scalar, const D: usize> {
+    /// Lends everything it has.
+    fn lend(&mut self) -> Room<'_, S, D>;
+}
+
+/// Memory for at most `N` grains, owned in place: no allocator.
+#[derive(Clone, Debug)]
+pub struct Memory<S: Scalar, const D: usize, const N: usize> {
+    bodies: [Body<S, D>; N],
+    slots: [Slot<S>; N],
+    tree: [u32; N],
+}
+
+impl<S: Scalar, const D: usize, const N: usize> Memory<S, D, N> {
+    /// Empty memory.
+    #[must_use]
+    pub fn new() -> Self {
+        Self { bodies: [Body::default(); N], slots: [Slot::EMPTY; N], tree: [0; N] }
+    }
+}
+
+impl<S: Scalar, const D: usize, const N: usize> Default for Memory<S, D, N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Scalar, const D: usize, const N: usize> Lend<S, D> for Memory<S, D, N> {
+    fn lend(&mut self) -> Room<'_, S, D> {
+        Room { bodies: &mut self.bodies, slots: &mut self.slots, tree: &mut self.tree }
+    }
+}

@@ -1,0 +1,225 @@
+//! And then? One event after the other; reads the queue, writes the scene and the queue.
+
+use super::World;
+use super::watch::{Happening, View, Watch};
+use crate::event::apply::{self, Deed, Touched};
+use crate::event::{Counters, Kind, Slot, predict};
+use crate::fault::{Fault, Subject};
+use crate::law::Rule;
+use crate::matter::{Grain, flight};
+use crate::number::{Instant, Scalar, Vector, all_numbers};
+
+/// Events that a grain can have at one instant, on average, before the world is called stuck.
+const EVENTS_AT_ONCE: u32 = 256;
+
+impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
+    /// The next event happens; none if nothing will ever happen again.
+    ///
+    /// # Errors
+    /// [`Fault::Stuck`], [`Fault::OutsideTable`], [`Fault::BadRule`], [`Fault::NotFinite`].
+    pub fn step(&mut self) -> Result<Option<Happening<S>>, Fault> {
+        self.step_watched(&mut ())
+    }
+
+    /// As [`World::step`], watched.
+    ///
+    /// # Errors
+    /// As [`World::step`].
+    pub fn step_watched(
+        &mut self,
+        watch: &mut impl Watch<S, D>,
+    ) -> Result<Option<Happening<S>>, Fault> {
+        self.step_until(S::NEVER, watch)
+    }
+
+    /// Everything up to and including this instant happens, and it becomes the present.
+    ///
+    /// It does not matter in how many calls one gets there: the state is the same to the last bit.
+    ///
+    /// # Errors
+    /// As [`World::step`], and [`Fault::Past`].
+    pub fn advance_to(&mut self, instant: impl Into<Instant>) -> Result<(), Fault> {
+        self.advance_watched(instant, &mut ())
+    }
+
+    /// As [`World::advance_to`], watched.
+    ///
+    /// # Errors
+    /// As [`World::advance_to`].
+    pub fn advance_watched(
+        &mut self,
+        instant: impl Into<Instant>,
+        watch: &mut impl Watch<S, D>,
+    ) -> Result<(), Fault> {
+        let asked = instant.into();
+        let now = self.now();
+        if asked < now {
+            return Err(Fault::Past { asked, now });
+        }
+        while self.step_until(asked.since(self.scene.epoch), watch)?.is_some() {}
+        self.scene.now = self.scene.now.larger(asked.since(self.scene.epoch));
+        Ok(())
+    }
+
+    /// The next event that is due by `limit` happens.
+    fn step_until(
+        &mut self,
+        limit: S,
+        watch: &mut impl Watch<S, D>,
+    ) -> Result<Option<Happening<S>>, Fault> {
+        let Some((grain, slot)) = self.due(limit) else { return Ok(None) };
+        self.move_clock(grain, &slot)?;
+        let mut happening =
+            Happening { at: self.now(), grain, partner: slot.partner, kind: slot.kind, deed: None };
+        watch.before(&happening, View { scene: &self.scene });
+        let mut touched = Touched::new();
+        happening.deed = Some(self.apply(grain, &slot, &mut touched)?);
+        self.reschedule(&touched)?;
+        watch.after(&happening, View { scene: &self.scene });
+        self.keep_time();
+        Ok(Some(happening))
+    }
+
+    /// The earliest event, if it is due by `limit`; void ones are predicted anew on the way.
+    fn due(&mut self, limit: S) -> Option<(usize, Slot<S>)> {
+        loop {
+            let grain = self.queue.first()?;
+            let slot = self.queue.slot(grain);
+            if slot.kind == Kind::Nothing || !(slot.time <= limit) {
+                return None;
+            }
+            if !predict::is_stale(&self.scene, &slot) {
+                return Some((grain, slot));
+            }
+            self.scene.counters.stale += 1;
+            self.scene.now = self.scene.now.larger(slot.time);
+            self.queue.set(grain, predict::next(&self.scene, grain));
+        }
+    }
+
+    /// The event's time becomes the present, which never goes back; too many at one instant are a fault.
+    fn move_clock(&mut self, grain: usize, slot: &Slot<S>) -> Result<(), Fault> {
+        if slot.time > self.scene.now {
+            self.scene.now = slot.time;
+            self.at_once = 0;
+        }
+        let most = EVENTS_AT_ONCE.saturating_mul(self.scene.bodies.len() as u32);
+        if self.at_once >= most {
+            let (with, at) = (slot.partner, self.now());
+            return Err(Fault::Stuck { grain, with, at, events: self.at_once });
+        }
+        self.at_once += 1;
+        Ok(())
+    }
+
+    fn apply(
+        &mut self,
+        grain: usize,
+        slot: &Slot<S>,
+        touched: &mut Touched,
+    ) -> Result<Deed<S>, Fault> {
+        match slot.kind {
+            Kind::Meet => apply::meet(&mut self.scene, &self.rule, grain, slot.partner, touched),
+            Kind::Release => Ok(apply::release(&mut self.scene, grain, touched)),
+            Kind::Leash | Kind::Nothing => Ok(apply::leash(&mut self.scene, grain, touched)),
+        }
+    }
+
+    /// Predicts the next events of the grains that an event touched, and checks that they still can be computed with.
+    fn reschedule(&mut self, touched: &[usize]) -> Result<(), Fault> {
+        for &grain in touched {
+            if let Some(field) = self.scene.body(grain).and_then(apply::broken) {
+                return Err(Fault::NotFinite { grain, field, at: self.now() });
+            }
+            self.queue.set(grain, predict::next(&self.scene, grain));
+        }
+        Ok(())
+    }
+
+    /// Sets the clocks back by a power of two once enough events have happened, so that times stay
+    /// small and their last place fine. The subtraction is exact for every event near enough to
+    /// matter; those further off are predicted anew.
+    fn keep_time(&mut self) {
+        self.since_epoch = self.since_epoch.saturating_add(1);
+        let enough = S::EVENTS_PER_EPOCH.saturating_mul(self.scene.bodies.len() as u32);
+        if self.since_epoch < enough.saturating_add(8) || !(self.scene.now > S::zero()) {
+            return;
+        }
+        let back = self.scene.now.power_of_two_below();
+        self.set_clocks_back(back);
+        let far = back * S::from_f32(1_048_576.0);
+        for grain in 0..self.scene.bodies.len() {
+            let time = self.queue.slot(grain).time;
+            if time > far && time < S::NEVER {
+                self.queue.set(grain, predict::next(&self.scene, grain));
+            }
+        }
+    }
+
+    /// Every grain flies to the present; the epoch moves on by `back`, every time stays the same instant.
+    fn set_clocks_back(&mut self, back: S) {
+        self.since_epoch = 0;
+        self.scene.counters.epochs += 1;
+        let now = self.scene.now - back;
+        for body in self.scene.bodies.iter_mut() {
+            flight::advance(body, &self.scene.gravity, self.scene.now);
+            body.position = self.scene.boundary.wrap(body.position);
+            body.clock = now;
+            if body.release_at < S::NEVER {
+                body.release_at -= back;
+            }
+        }
+        for slot in self.queue.slots.iter_mut().filter(|slot| slot.time < S::NEVER) {
+            slot.time -= back;
+        }
+        self.scene.now = now;
+        self.scene.epoch = self.scene.epoch + Instant::from(back);
+    }
+
+    /// Changes gravity now: between events, in the middle of contacts too. All events are predicted anew.
+    ///
+    /// # Errors
+    /// [`Fault::Input`] if a component is not finite.
+    pub fn set_gravity(&mut self, gravity: [S; D]) -> Result<(), Fault> {
+        let gravity = Vector::from(gravity);
+        if !all_numbers(&gravity) {
+            let value = gravity.iter().find(|x| !x.is_number()).map_or(0.0, |x| x.to_f64());
+            return Err(Fault::input(Subject::World, "gravity", value, "a finite number"));
+        }
+        self.set_clocks_back(self.scene.now);
+        self.scene.gravity = gravity;
+        self.predict_all();
+        Ok(())
+    }
+
+    /// Nothing happens before this instant; none if nothing will ever happen. Firmware can sleep until then.
+    #[must_use]
+    pub fn next_event_time(&self) -> Option<Instant> {
+        let slot = self.queue.slot(self.queue.first()?);
+        (slot.time < S::NEVER).then(|| self.scene.epoch + Instant::from(slot.time))
+    }
+
+    /// The present.
+    #[must_use]
+    pub fn now(&self) -> Instant {
+        self.scene.instant()
+    }
+
+    /// A grain as it is now, in the order in which grains were added.
+    #[must_use]
+    pub fn grain(&self, index: usize) -> Option<Grain<S, D>> {
+        self.view().grain(index)
+    }
+
+    /// How often everything happened.
+    #[must_use]
+    pub fn counters(&self) -> &Counters {
+        &self.scene.counters
+    }
+
+    /// The world to look at.
+    #[must_use]
+    pub fn view(&self) -> View<'_, S, D> {
+        View { scene: &self.scene }
+    }
+}
