@@ -38,7 +38,15 @@
 //! # Ok::<(), carom::Fault>(())
 //! ```
 #![no_std]
-#![warn(clippy::pedantic)]
+#![warn(
+    clippy::missing_errors_doc,
+    clippy::must_use_candidate,
+    clippy::semicolon_if_nothing_returned,
+    clippy::explicit_iter_loop,
+    clippy::cast_lossless
+)]
+// A comparison that is false for NaN must stay one: `!(x > 0)` sends NaN to the safe side, `x <= 0` does not.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
 #![cfg_attr(
     not(test),
     deny(
@@ -50,7 +58,6 @@
         clippy::todo
     )
 )]
-#![allow(clippy::module_name_repetitions, clippy::must_use_candidate)]
 
 #[cfg(test)]
 extern crate std;

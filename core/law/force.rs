@@ -1,9 +1,9 @@
 //! Which scales does a force law set? Reads material and encounter; writes T, X and c_dis.
 
-use super::Encounter;
+use super::{Encounter, Outcome};
 use crate::fault::{Fault, Subject};
 use crate::number::Scalar;
-use carom_tables::Law;
+use carom_tables::{Groups, Law, Scaled};
 
 /// The scales of one encounter (MP13, Sec. V).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +14,34 @@ pub struct Scales<S> {
     pub length: S,
     /// The scaled dissipation c_dis.
     pub c_dis: S,
+}
+
+impl<S: Scalar> Scales<S> {
+    /// A scaled outcome in the units of the encounter: τ = ε_t T (MP13 Eq. 20), the rest as it is.
+    pub fn outcome(&self, scaled: &Scaled<S>) -> Outcome<S> {
+        Outcome {
+            duration: scaled.tau * self.time,
+            restitution: scaled.speed,
+            separation: scaled.separation,
+            angle: scaled.angle,
+        }
+    }
+}
+
+impl<S: Scalar> Encounter<S> {
+    /// The scaled groups: e = sin α, cos α, η = X/l = 1/l̃ and c_dis (MP13 Eqs. 43, 45, 47).
+    pub fn groups(&self, scales: &Scales<S>) -> Groups<S> {
+        let (n, t) = (self.normal_speed, self.tangential_speed);
+        let (eta, c_dis) = (scales.length / self.reach, scales.c_dis);
+        if !(t > S::zero()) {
+            return Groups { sin: S::zero(), cos: S::one(), eta, c_dis };
+        }
+        // The larger of the two is divided out first: the squares can neither overflow nor vanish.
+        let large = n.larger(t);
+        let (a, b) = (n / large, t / large);
+        let norm = (a * a + b * b).sqrt();
+        Groups { sin: b / norm, cos: a / norm, eta, c_dis }
+    }
 }
 
 /// A normal force law between smooth spheres.

@@ -1,12 +1,10 @@
 //! What does a soft contact do? The matrix of restitution of MP13 from a table; reads an encounter, writes its outcome.
 
 use super::force::{ForceLaw, Scales};
-use super::{
-    Answer, Encounter, LinearDashpot, Outcome, Response, Rule, Trust, Viscoelastic, tables,
-};
+use super::{Answer, Encounter, LinearDashpot, Response, Rule, Trust, Viscoelastic, tables};
 use crate::fault::Fault;
 use crate::number::Scalar;
-use carom_tables::{Groups, Scaled, Table};
+use carom_tables::{Groups, Table};
 
 /// What to do with an encounter outside the table's domain. It is counted in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,9 +59,9 @@ where
 {
     fn meet(&self, encounter: &Encounter<S>) -> Answer<S> {
         let scales = self.law.scales(encounter);
-        let groups = groups(encounter, &scales);
-        if let Some(scaled) = self.table.read(&groups) {
-            return Answer::sure(Response::Lasting(outcome(&scaled, &scales)));
+        let groups = encounter.groups(&scales);
+        if let Some(found) = self.table.read(&groups) {
+            return Answer::sure(Response::Lasting(scales.outcome(&found)));
         }
         match self.outside {
             Outside::Reject => refused(&groups),
@@ -80,8 +78,8 @@ where
 impl<L, C: tables::Number> Soft<L, C> {
     fn clamped<S: Scalar>(&self, groups: &Groups<S>, scales: &Scales<S>) -> Answer<S> {
         match self.table.read(&self.table.clamp(groups)) {
-            Some(scaled) => Answer {
-                response: Response::Lasting(outcome(&scaled, scales)),
+            Some(found) => Answer {
+                response: Response::Lasting(scales.outcome(&found)),
                 trust: Trust::Clamped,
             },
             None => refused(groups),
@@ -91,41 +89,15 @@ impl<L, C: tables::Number> Soft<L, C> {
     fn central<S: Scalar>(&self, groups: &Groups<S>) -> Answer<S> {
         let central = Groups { sin: S::zero(), cos: S::one(), eta: S::zero(), c_dis: groups.c_dis };
         match self.table.read(&self.table.clamp(&central)) {
-            Some(scaled) => {
-                Answer { response: Response::Instant(scaled.speed), trust: Trust::HardSphere }
+            Some(found) => {
+                Answer { response: Response::Instant(found.speed), trust: Trust::HardSphere }
             }
             None => refused(groups),
         }
     }
 }
 
-/// The scaled groups of an encounter: e = sin α, cos α, 1/l̃ and c_dis (MP13 Eqs. 43, 45, 47).
-fn groups<S: Scalar>(encounter: &Encounter<S>, scales: &Scales<S>) -> Groups<S> {
-    let (n, t) = (encounter.normal_speed, encounter.tangential_speed);
-    let eta = scales.length / encounter.reach;
-    if !(t > S::zero()) {
-        return Groups { sin: S::zero(), cos: S::one(), eta, c_dis: scales.c_dis };
-    }
-    // The larger of the two is divided out first: the squares can neither overflow nor vanish.
-    let large = n.larger(t);
-    let (a, b) = (n / large, t / large);
-    let norm = (a * a + b * b).sqrt();
-    Groups { sin: b / norm, cos: a / norm, eta, c_dis: scales.c_dis }
-}
-
-fn outcome<S: Scalar>(scaled: &Scaled<S>, scales: &Scales<S>) -> Outcome<S> {
-    Outcome {
-        duration: scaled.tau * scales.time,
-        restitution: scaled.speed,
-        separation: scaled.separation,
-        angle: scaled.angle,
-    }
-}
-
-fn refused<S>(groups: &Groups<S>) -> Answer<S>
-where
-    S: Scalar,
-{
+fn refused<S: Scalar>(groups: &Groups<S>) -> Answer<S> {
     let response = Response::Refused { eta: groups.eta, c_dis: groups.c_dis };
     Answer { response, trust: Trust::HardSphere }
 }

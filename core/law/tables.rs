@@ -11,7 +11,12 @@ pub type Stored = f32;
 #[cfg(feature = "f64-tables")]
 pub type Stored = f64;
 
-include!(concat!(env!("OUT_DIR"), "/tables.rs"));
+/// What build.rs made.
+#[allow(clippy::all, clippy::pedantic)]
+mod made {
+    include!(concat!(env!("OUT_DIR"), "/tables.rs"));
+}
+pub use made::*;
 
 #[cfg(not(any(feature = "standard", feature = "compact", feature = "wide")))]
 compile_error!("carom needs a table: enable one of the features standard, compact, wide");

@@ -7,6 +7,9 @@
 pub mod cli;
 pub mod collide;
 pub mod commands;
+pub mod integrated;
 pub mod output;
+pub mod plot;
 pub mod scale;
+pub mod storage;
 pub mod tables;

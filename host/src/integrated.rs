@@ -1,0 +1,55 @@
+//! What does a contact do, without a table? Integrates the contact equation for each encounter; writes its outcome.
+
+use carom::Fault;
+use carom::law::force::ForceLaw;
+use carom::law::{Answer, Encounter, Response, Rule};
+use carom_tables::{End, contact};
+
+/// eMD* with the matrix of restitution integrated directly, to 1e-12 (MP13 Eqs. 42, 54).
+///
+/// Slow, and without a domain: it is what tables are judged by.
+///
+/// ```
+/// use carom::law::{Encounter, LinearDashpot, Response, Rule};
+/// use carom_host::integrated::Integrated;
+/// let rule = Integrated::new(LinearDashpot { stiffness: 2000.0, damping: 0.0 });
+/// let head_on = Encounter {
+///     reach: 0.2, effective_radius: 0.05, reduced_mass: 2.0,
+///     normal_speed: 1.0, tangential_speed: 0.0, materials: [0, 0],
+/// };
+/// let Response::Lasting(outcome) = rule.meet(&head_on).response else { unreachable!() };
+/// // Half a period of the oscillator.
+/// assert!((outcome.duration - std::f64::consts::PI * (2.0_f64 / 2000.0).sqrt()).abs() < 1e-12);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Integrated<L> {
+    law: L,
+    end: End,
+}
+
+impl<L> Integrated<L> {
+    /// The contact ends when the force vanishes (MP13).
+    #[must_use]
+    pub const fn new(law: L) -> Self {
+        Self { law, end: End::Force }
+    }
+
+    /// The same law with the other end of contact.
+    #[must_use]
+    pub fn ending(self, end: End) -> Self {
+        Self { end, ..self }
+    }
+}
+
+impl<L: ForceLaw<f64>> Rule<f64> for Integrated<L> {
+    fn meet(&self, encounter: &Encounter<f64>) -> Answer<f64> {
+        let scales = self.law.scales(encounter);
+        let groups = encounter.groups(&scales);
+        let scaled = contact::integrate(L::LAW, self.end, &groups);
+        Answer::sure(Response::Lasting(scales.outcome(&scaled)))
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        self.law.check()
+    }
+}
