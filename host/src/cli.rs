@@ -20,6 +20,8 @@ struct Arguments {
 enum Command {
     /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
     Collide(commands::collide::Options),
+    /// Show what the embedded tables hold and how exact they are.
+    Table(commands::table::Options),
 }
 
 /// Parses the arguments and runs the command.
@@ -33,6 +35,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
     };
     match arguments.command {
         Some(Command::Collide(options)) => commands::collide::run(&options),
+        Some(Command::Table(options)) => commands::table::run(&options),
         None => anyhow::bail!("the demo is not there yet"),
     }
 }

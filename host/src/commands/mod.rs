@@ -1,3 +1,4 @@
 //! What does each command do? Reads the options of one command; writes its results.
 
 pub mod collide;
+pub mod table;

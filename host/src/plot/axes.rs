@@ -1,0 +1,177 @@
+//! Where does a number stand on the page? Reads ranges and series; writes frames, ticks, labels and lines to a scene.
+
+use super::colour::INK;
+use super::scene::{Colour, Rect, Scene, Stroke};
+use super::text::{Align, Style};
+
+/// One axis of a panel.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    low: f64,
+    high: f64,
+    logarithmic: bool,
+    ticks: Vec<f64>,
+    labelled: bool,
+}
+
+impl Axis {
+    /// A linear axis with about `ticks` round numbers.
+    pub fn linear(low: f64, high: f64, ticks: usize) -> Self {
+        let step = round_step((high - low) / ticks.max(1) as f64);
+        let first = (low / step - 1e-9).ceil() as i64;
+        let last = (high / step + 1e-9).floor() as i64;
+        let ticks = (first..=last).map(|k| k as f64 * step).collect();
+        Self { low, high, logarithmic: false, ticks, labelled: true }
+    }
+
+    /// A linear axis with given ticks.
+    pub const fn with_ticks(low: f64, high: f64, ticks: Vec<f64>) -> Self {
+        Self { low, high, logarithmic: false, ticks, labelled: true }
+    }
+
+    /// A logarithmic axis with a tick at powers of ten, every so many decades.
+    pub fn logarithmic(low: f64, high: f64) -> Self {
+        let (first, last) = (low.log10().ceil() as i32, high.log10().floor() as i32);
+        let every = 1 + (last - first).max(0) / 8;
+        let ticks =
+            (first..=last).filter(|k| k.rem_euclid(every) == 0).map(|k| 10f64.powi(k)).collect();
+        Self { low, high, logarithmic: true, ticks, labelled: true }
+    }
+
+    /// The same axis without numbers at its ticks.
+    pub fn unlabelled(mut self) -> Self {
+        self.labelled = false;
+        self
+    }
+
+    /// 0 at the low end, 1 at the high end.
+    pub fn fraction(&self, value: f64) -> f64 {
+        if self.logarithmic {
+            (value.ln() - self.low.ln()) / (self.high.ln() - self.low.ln())
+        } else {
+            (value - self.low) / (self.high - self.low)
+        }
+    }
+
+    fn label(&self, tick: f64) -> String {
+        if self.logarithmic {
+            return match tick.log10().round() as i32 {
+                0 => "1".to_owned(),
+                1 => "10".to_owned(),
+                power => format!("10^{{{power}}}").replace('-', "−"),
+            };
+        }
+        let step = match self.ticks.as_slice() {
+            [a, b, ..] => (b - a).abs(),
+            _ => tick.abs(),
+        };
+        let digits = (-(step * 1.000_001).log10().floor()).clamp(0.0, 6.0) as usize;
+        let digits = if (step * 10f64.powi(digits as i32)).fract().abs() > 0.01 {
+            digits + 1
+        } else {
+            digits
+        };
+        let text = format!("{:.*}", digits, if tick.abs() < 1e-12 { 0.0 } else { tick });
+        text.replace('-', "−")
+    }
+}
+
+/// 1, 2 or 5 times a power of ten, at least as large as `rough`.
+fn round_step(rough: f64) -> f64 {
+    let power = 10f64.powf(rough.log10().floor());
+    [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .map(|step| step * power)
+        .find(|step| *step >= rough * 0.999)
+        .unwrap_or(10.0 * power)
+}
+
+/// Type size of numbers at ticks.
+pub const SMALL: f64 = 8.5;
+/// Type size of labels.
+pub const NORMAL: f64 = 10.0;
+const THIN: f32 = 0.7;
+const TICK: f64 = 4.0;
+
+/// A frame with two axes.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    /// Where it stands.
+    pub place: Rect,
+    /// From left to right.
+    pub x: Axis,
+    /// From bottom to top.
+    pub y: Axis,
+}
+
+impl Panel {
+    /// The point of a pair of numbers.
+    pub fn at(&self, x: f64, y: f64) -> [f64; 2] {
+        let place = &self.place;
+        [
+            place.x + place.width * self.x.fraction(x),
+            place.y + place.height * (1.0 - self.y.fraction(y)),
+        ]
+    }
+
+    /// Draws frame, ticks and numbers; over the lines, so last.
+    pub fn frame(&self, scene: &mut Scene) {
+        let pen = Stroke::solid(INK, THIN);
+        scene.rectangle(self.place, None, Some(pen));
+        let Rect { x, y, width, height } = self.place;
+        let (right, bottom) = (x + width, y + height);
+        for tick in &self.x.ticks {
+            let at = x + width * self.x.fraction(*tick);
+            scene.line(&[[at, bottom], [at, bottom - TICK]], pen, None);
+            scene.line(&[[at, y], [at, y + TICK]], pen, None);
+            if self.x.labelled {
+                let style = Style::new(SMALL, INK, Align::Middle);
+                scene.text([at, bottom + 3.0 + SMALL], &self.x.label(*tick), style);
+            }
+        }
+        for tick in &self.y.ticks {
+            let at = bottom - height * self.y.fraction(*tick);
+            scene.line(&[[x, at], [x + TICK, at]], pen, None);
+            scene.line(&[[right, at], [right - TICK, at]], pen, None);
+            if self.y.labelled {
+                let style = Style::new(SMALL, INK, Align::Right);
+                scene.text([x - 4.0, at + 0.36 * SMALL], &self.y.label(*tick), style);
+            }
+        }
+    }
+
+    /// Names the axes.
+    pub fn labels(&self, scene: &mut Scene, x: &str, y: &str, room: f64) {
+        let Rect { x: left, y: top, width, height } = self.place;
+        let style = Style::new(NORMAL, INK, Align::Middle);
+        scene.text([left + width / 2.0, top + height + 17.0 + NORMAL], x, style);
+        scene.text([left - room, top + height / 2.0], y, style.upwards());
+    }
+
+    /// A title over the frame, at its left end.
+    pub fn title(&self, scene: &mut Scene, title: &str) {
+        let style = Style::new(NORMAL, INK, Align::Left);
+        scene.text([self.place.x, self.place.y - 6.0], title, style);
+    }
+
+    /// A line through points.
+    pub fn line(&self, scene: &mut Scene, points: &[[f64; 2]], stroke: Stroke) {
+        let points: Vec<_> = points.iter().map(|[x, y]| self.at(*x, *y)).collect();
+        scene.line(&points, stroke, Some(self.place));
+    }
+
+    /// A legend: a sample of each line and its name, downwards from the upper left point `at`.
+    pub fn legend(&self, scene: &mut Scene, at: [f64; 2], entries: &[(&str, Stroke)]) {
+        for (row, (name, stroke)) in entries.iter().enumerate() {
+            let y = at[1] + 14.0 * row as f64;
+            scene.line(&[[at[0], y], [at[0] + 22.0, y]], *stroke, None);
+            let style = Style::new(9.5, INK, Align::Left);
+            scene.text([at[0] + 28.0, y + 3.4], name, style);
+        }
+    }
+
+    /// A filled dot.
+    pub fn dot(&self, scene: &mut Scene, x: f64, y: f64, radius: f64, colour: Colour) {
+        scene.disc(self.at(x, y), radius, Some(colour), None, Some(self.place));
+    }
+}

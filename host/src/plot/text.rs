@@ -1,0 +1,159 @@
+//! How do letters become outlines? Reads text with simple marks and the font in `assets/`; writes one shape to a scene.
+//!
+//! Marks: `*x*` is italic, `_{…}` is lowered and `^{…}` raised, both smaller; italics work inside
+//! them too.
+
+use super::scene::{Colour, Scene};
+use tiny_skia::{Path, PathBuilder, Transform};
+use ttf_parser::{Face, OutlineBuilder};
+
+const REGULAR: &[u8] = include_bytes!("../../assets/NotoSans-Regular-subset.ttf");
+const ITALIC: &[u8] = include_bytes!("../../assets/NotoSans-Italic-subset.ttf");
+
+/// Which part of the text stands at the given point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Align {
+    /// Its left end.
+    Left,
+    /// Its middle.
+    Middle,
+    /// Its right end.
+    Right,
+}
+
+/// How text is set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Style {
+    /// Size in points.
+    pub size: f64,
+    /// Colour.
+    pub colour: Colour,
+    /// Which part stands at the given point.
+    pub align: Align,
+    /// True if the text reads upwards.
+    pub upright: bool,
+}
+
+impl Style {
+    /// Horizontal text.
+    pub const fn new(size: f64, colour: Colour, align: Align) -> Self {
+        Self { size, colour, align, upright: false }
+    }
+
+    /// The same, reading upwards.
+    pub const fn upwards(self) -> Self {
+        Self { upright: true, ..self }
+    }
+}
+
+impl Scene {
+    /// Sets text; `at` is on its base line.
+    pub fn text(&mut self, at: [f64; 2], text: &str, style: Style) {
+        let (path, width) = outline(text, style.size);
+        let back = match style.align {
+            Align::Left => 0.0,
+            Align::Middle => -width / 2.0,
+            Align::Right => -width,
+        };
+        let turn = if style.upright { -90.0 } else { 0.0 };
+        let place = Transform::from_translate(back as f32, 0.0)
+            .post_rotate(turn)
+            .post_translate(at[0] as f32, at[1] as f32);
+        let path = path.and_then(|path| path.transform(place));
+        self.shape(path, Some(style.colour), None, None);
+    }
+}
+
+/// Width of a text in points.
+pub fn width(text: &str, size: f64) -> f64 {
+    outline(text, size).1
+}
+
+/// Where the next letter goes.
+struct Pen {
+    x: f64,
+    size: f64,
+    italic: bool,
+    /// -1 lowered, 0 on the line, 1 raised.
+    level: i8,
+}
+
+fn outline(text: &str, size: f64) -> (Option<Path>, f64) {
+    let faces = [REGULAR, ITALIC].map(|font| Face::parse(font, 0).ok());
+    let mut builder = PathBuilder::new();
+    let mut pen = Pen { x: 0.0, size, italic: false, level: 0 };
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '*' => pen.italic = !pen.italic,
+            '_' | '^' if letters.peek() == Some(&'{') => {
+                letters.next();
+                pen.level = if letter == '_' { -1 } else { 1 };
+            }
+            '}' if pen.level != 0 => pen.level = 0,
+            _ => {
+                if let Some(face) = &faces[usize::from(pen.italic)] {
+                    set(&mut builder, face, &mut pen, letter);
+                }
+            }
+        }
+    }
+    (builder.finish(), pen.x)
+}
+
+fn set(builder: &mut PathBuilder, face: &Face<'_>, pen: &mut Pen, letter: char) {
+    // The font has no minus sign; its en dash is one.
+    let letter = if letter == '−' { '–' } else { letter };
+    let (size, shift) = match pen.level {
+        0 => (pen.size, 0.0),
+        level => {
+            (0.72 * pen.size, -f64::from(level) * if level > 0 { 0.36 } else { 0.22 } * pen.size)
+        }
+    };
+    let scale = size / f64::from(face.units_per_em());
+    let Some(glyph) = face.glyph_index(letter) else { return };
+    let mut outline = Outline { builder, x: pen.x, y: shift, scale };
+    let _ = face.outline_glyph(glyph, &mut outline);
+    pen.x += scale * f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
+}
+
+struct Outline<'a> {
+    builder: &'a mut PathBuilder,
+    x: f64,
+    y: f64,
+    scale: f64,
+}
+
+impl Outline<'_> {
+    fn at(&self, x: f32, y: f32) -> (f32, f32) {
+        let across = self.x + self.scale * f64::from(x);
+        let down = self.y - self.scale * f64::from(y);
+        (across as f32, down as f32)
+    }
+}
+
+impl OutlineBuilder for Outline<'_> {
+    fn move_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.at(x, y);
+        self.builder.move_to(x, y);
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.at(x, y);
+        self.builder.line_to(x, y);
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        let ((x1, y1), (x, y)) = (self.at(x1, y1), self.at(x, y));
+        self.builder.quad_to(x1, y1, x, y);
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let ((x1, y1), (x2, y2), (x, y)) = (self.at(x1, y1), self.at(x2, y2), self.at(x, y));
+        self.builder.cubic_to(x1, y1, x2, y2, x, y);
+    }
+
+    fn close(&mut self) {
+        self.builder.close();
+    }
+}
