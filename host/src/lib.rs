@@ -10,6 +10,7 @@ pub mod commands;
 pub mod integrated;
 pub mod output;
 pub mod plot;
+pub mod reference;
 pub mod scale;
 pub mod storage;
 pub mod tables;

@@ -239,7 +239,8 @@ impl<const D: usize> System<D> {
 }
 
 fn check_grain<const D: usize>(i: usize, grain: &Grain<D>) -> Result<(), ReferenceError> {
-    let wrong = |field: String, value, wanted| ReferenceError::Grain { grain: i, field, value, wanted };
+    let wrong =
+        |field: String, value, wanted| ReferenceError::Grain { grain: i, field, value, wanted };
     for (field, value) in [("radius", grain.radius), ("mass", grain.mass)] {
         if !(value.is_finite() && value > 0.0) {
             return Err(wrong(field.into(), value, "finite and above 0"));
@@ -256,7 +257,9 @@ fn check_grain<const D: usize>(i: usize, grain: &Grain<D>) -> Result<(), Referen
 }
 
 fn check_boundary(axis: usize, bound: &Boundary, widest: f64) -> Result<(), ReferenceError> {
-    let (Boundary::Periodic { lo, hi } | Boundary::Walls { lo, hi }) = *bound else { return Ok(()) };
+    let (Boundary::Periodic { lo, hi } | Boundary::Walls { lo, hi }) = *bound else {
+        return Ok(());
+    };
     if lo.is_finite() && hi.is_finite() && hi - lo > widest {
         return Ok(());
     }

@@ -1,0 +1,241 @@
+//! How do grains in contact move, as one system? Reads their state at an instant; writes their motion up to the next end of a contact.
+
+mod motion;
+mod start;
+
+use super::collocation::{NODES, Segment, node};
+use super::error::ReferenceError;
+use super::law::{ContactLaw, End};
+use super::roots::bracketed;
+use super::vector::{Vector, length};
+use motion::Motion;
+
+/// Last coefficients of an accepted step, relative: the step's truncation is smaller still.
+const TOLERANCE: f64 = 3e-15;
+
+/// The other side of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Side<const D: usize> {
+    /// Member `local` of the cluster, seen at its position plus `shift` (a periodic image).
+    Member { local: usize, shift: Vector<D> },
+    /// A wall across `axis`, `at`; `facing` +1 for the lower wall, −1 for the upper one.
+    Wall { axis: usize, facing: f64, at: f64 },
+}
+
+/// One contact under way.
+///
+/// Overlap x and overlap rate are unknowns of their own, next to the Cartesian ones they could be
+/// had from: the difference of two coordinates would lose their digits. Where the dashpot rules
+/// (c_dis > 1), w = x + θ ẋ takes the place of ẋ, for F_n = g w passes through zero by a margin
+/// far below the round-off of ẋ.
+#[derive(Debug, Clone)]
+pub(super) struct Link<const D: usize> {
+    pub first: usize,
+    pub side: Side<D>,
+    pub law: ContactLaw,
+    pub overlap: f64,
+    pub second: f64,
+    pub by_force: bool,
+    /// Which record of the run this is.
+    pub record: usize,
+}
+
+impl<const D: usize> Link<D> {
+    pub fn rate(&self) -> f64 {
+        if self.by_force {
+            return (self.second - self.overlap) / self.law.relaxation;
+        }
+        self.second
+    }
+}
+
+/// The step under way.
+#[derive(Debug, Clone)]
+struct Active {
+    segment: Segment,
+    regular: Option<usize>,
+    /// The step is used for 0 ≤ θ ≤ finish.
+    finish: f64,
+    ended: Option<usize>,
+    /// Time at `finish`, since `origin`.
+    until: f64,
+    /// A bound of each member's speed during the step.
+    speeds: Vec<f64>,
+}
+
+/// Grains that hang together by contacts.
+#[derive(Debug, Clone)]
+pub(super) struct Cluster<const D: usize> {
+    pub grains: Vec<usize>,
+    pub radii: Vec<f64>,
+    pub masses: Vec<f64>,
+    pub positions: Vec<Vector<D>>,
+    pub velocities: Vec<Vector<D>>,
+    pub links: Vec<Link<D>>,
+    /// Absolute time of `elapsed` = 0.
+    pub origin: f64,
+    pub elapsed: f64,
+    gravity: Vector<D>,
+    end: End,
+    step: Option<(Option<usize>, f64)>,
+    active: Option<Active>,
+    /// Steps taken.
+    pub steps: u64,
+}
+
+impl<const D: usize> Cluster<D> {
+    pub fn local(&self, grain: usize) -> Option<usize> {
+        self.grains.iter().position(|&g| g == grain)
+    }
+
+    /// Integrates one step ahead, unless one is under way.
+    pub fn look_ahead(&mut self) -> Result<(), ReferenceError> {
+        if self.active.is_some() {
+            return Ok(());
+        }
+        let regular = self.regular();
+        let (segment, h) = self.solve(regular)?;
+        let (finish, ended) = match self.ending(&segment, regular) {
+            Some((theta, link)) => (theta, Some(link)),
+            None => (1.0, None),
+        };
+        let until = segment.one(finish, 0);
+        if ended.is_none() && until <= self.elapsed * (1.0 + 4.0 * f64::EPSILON) {
+            return Err(self.unresolved("its time step has become too small"));
+        }
+        let growth = (TOLERANCE / segment.error.max(1e-30)).powf(1.0 / 16.0);
+        self.step = Some((regular, h * (0.9 * growth).clamp(0.3, 2.5)));
+        let speeds = self.speed_bounds(&segment, finish);
+        self.active = Some(Active { segment, regular, finish, ended, until, speeds });
+        self.steps += 1;
+        Ok(())
+    }
+
+    fn solve(&self, regular: Option<usize>) -> Result<(Segment, f64), ReferenceError> {
+        let motion = self.motion(regular);
+        let (start, scales) = (motion.pack(self), motion.scales(self));
+        let rhs = |y: &[f64], f: &mut [f64]| motion.slopes(y, f);
+        let (mut h, mut before) = (self.first_step(regular), f64::INFINITY);
+        for _ in 0..80 {
+            let Some(segment) = Segment::solve(&rhs, &start, h, &scales) else {
+                (h, before) = (0.3 * h, f64::INFINITY);
+                continue;
+            };
+            let error = segment.error;
+            let floor = error < 1e-12 && error > 0.5 * before;
+            if error <= TOLERANCE || floor {
+                return Ok((segment, h));
+            }
+            h *= (0.8 * (TOLERANCE / error).powf(1.0 / 16.0)).clamp(0.1, 0.7);
+            before = error;
+        }
+        Err(self.unresolved("no step converges; its centre may pass through another one"))
+    }
+
+    /// The first end of a contact within the step.
+    fn ending(&self, segment: &Segment, regular: Option<usize>) -> Option<(f64, usize)> {
+        let motion = self.motion(regular);
+        let mut first: Option<(f64, usize)> = None;
+        for link in 0..self.links.len() {
+            let margin = |theta: f64| motion.margin(segment, theta, link, self.end);
+            let mut before = 0.0;
+            for theta in (0..NODES).map(node).chain([1.0]) {
+                if first.is_some_and(|(found, _)| before >= found) {
+                    break;
+                }
+                if margin(theta) <= 0.0 {
+                    let root = bracketed(margin, before, theta);
+                    if first.is_none_or(|(found, _)| root < found) {
+                        first = Some((root, link));
+                    }
+                    break;
+                }
+                before = theta;
+            }
+        }
+        first
+    }
+
+    fn speed_bounds(&self, segment: &Segment, finish: f64) -> Vec<f64> {
+        let mut bounds = vec![0.0_f64; self.grains.len()];
+        for theta in (0..NODES).map(node).chain([0.0, 1.0]) {
+            let y = segment.at(theta * finish);
+            for (a, bound) in bounds.iter_mut().enumerate() {
+                *bound = bound.max(length(&motion::velocity::<D>(&y, a)));
+            }
+        }
+        bounds.iter().map(|b| 1.2 * b).collect()
+    }
+
+    fn motion(&self, regular: Option<usize>) -> Motion<'_, D> {
+        let Self { masses, links, gravity, .. } = self;
+        Motion { masses, links, gravity, regular }
+    }
+
+    /// Absolute time up to which the motion is known.
+    pub fn known_until(&self) -> f64 {
+        self.origin + self.active.as_ref().map_or(self.elapsed, |a| a.until)
+    }
+
+    pub fn speed_bound(&self, local: usize) -> f64 {
+        self.active.as_ref().map_or(0.0, |a| a.speeds[local])
+    }
+
+    fn theta(&self, active: &Active, time: f64) -> f64 {
+        let wanted = time - self.origin;
+        if wanted >= active.until {
+            return active.finish;
+        }
+        if wanted <= self.elapsed {
+            return 0.0;
+        }
+        bracketed(|theta| active.segment.one(theta, 0) - wanted, 0.0, active.finish)
+    }
+
+    /// Position and velocity of a member at an absolute time within the known motion.
+    pub fn state(&self, local: usize, time: f64) -> (Vector<D>, Vector<D>) {
+        match &self.active {
+            Some(active) => {
+                let y = active.segment.at(self.theta(active, time));
+                (motion::position(&y, local), motion::velocity(&y, local))
+            }
+            None => (self.positions[local], self.velocities[local]),
+        }
+    }
+
+    /// Moves to the end of the step; says which contact ended there.
+    pub fn finish(&mut self) -> Option<usize> {
+        let active = self.active.take()?;
+        self.settle(&active, active.finish);
+        active.ended
+    }
+
+    /// Moves to an absolute time within the step and forgets what lies ahead.
+    pub fn stop_at(&mut self, time: f64) {
+        if let Some(active) = self.active.take() {
+            let theta = self.theta(&active, time);
+            self.settle(&active, theta);
+        }
+    }
+
+    fn settle(&mut self, active: &Active, theta: f64) {
+        let y = active.segment.at(theta);
+        self.elapsed = y[0];
+        for a in 0..self.grains.len() {
+            self.positions[a] = motion::position(&y, a);
+            self.velocities[a] = motion::velocity(&y, a);
+        }
+        let base = motion::links_from::<D>(self.grains.len());
+        for (c, link) in self.links.iter_mut().enumerate() {
+            let compressed = y[base + 2 * c];
+            let regular = active.regular == Some(c);
+            link.overlap = if regular { compressed * compressed } else { compressed };
+            link.second = y[base + 2 * c + 1];
+        }
+    }
+
+    fn unresolved(&self, why: &'static str) -> ReferenceError {
+        let grain = self.grains[0];
+        ReferenceError::Unresolved { time: self.origin + self.elapsed, grain, why }
+    }
+}

@@ -1,0 +1,181 @@
+//! What are Newton's equations of grains in contact? Reads all unknowns; writes their rates and scales.
+
+use super::super::collocation::{Scale, Segment};
+use super::super::law::End;
+use super::super::vector::{Vector, dot, length, minus, plus};
+use super::{Cluster, Link, Side};
+
+/// The equations of one cluster.
+///
+/// Unknowns: time; position and velocity of each member; overlap and second unknown of each link.
+/// If link m is `regular`, the independent variable is s with dt = 2 √x_m ds and the overlap's
+/// place is taken by q = √x_m: then dq/ds = ẋ, and the square roots of the viscoelastic law are
+/// gone from the beginning (q = 0) and the end (q = 0 again) of that contact.
+pub(super) struct Motion<'a, const D: usize> {
+    pub masses: &'a [f64],
+    pub links: &'a [Link<D>],
+    pub gravity: &'a Vector<D>,
+    pub regular: Option<usize>,
+}
+
+/// One link, taken apart.
+struct View<const D: usize> {
+    rate: f64,
+    force: f64,
+    /// From the partner to the first grain.
+    normal: Vector<D>,
+    /// v_t²/r: how fast the distance's rate grows without any force.
+    bend: f64,
+}
+
+pub(super) fn links_from<const D: usize>(members: usize) -> usize {
+    1 + 2 * D * members
+}
+
+pub(super) fn position<const D: usize>(y: &[f64], a: usize) -> Vector<D> {
+    std::array::from_fn(|k| y[1 + 2 * D * a + k])
+}
+
+pub(super) fn velocity<const D: usize>(y: &[f64], a: usize) -> Vector<D> {
+    std::array::from_fn(|k| y[1 + 2 * D * a + D + k])
+}
+
+impl<const D: usize> Motion<'_, D> {
+    fn base(&self) -> usize {
+        links_from::<D>(self.masses.len())
+    }
+
+    /// Overlap, its root, its rate, and w = x + θ ẋ.
+    fn compressed(&self, y: &[f64], c: usize) -> [f64; 4] {
+        let (raw, second) = (y[self.base() + 2 * c], y[self.base() + 2 * c + 1]);
+        let (x, root) = match self.regular {
+            Some(m) if m == c => (raw * raw, raw),
+            _ => (raw, raw.max(0.0).sqrt()),
+        };
+        let theta = self.links[c].law.relaxation;
+        match self.links[c].by_force {
+            true => [x, root, (second - x) / theta, second],
+            false => [x, root, second, x + theta * second],
+        }
+    }
+
+    fn view(&self, y: &[f64], c: usize) -> View<D> {
+        let link = &self.links[c];
+        let [_, root, rate, w] = self.compressed(y, c);
+        let force = link.law.gain(root) * w;
+        match link.side {
+            Side::Wall { axis, facing, .. } => {
+                let mut normal = [0.0; D];
+                normal[axis] = facing;
+                View { rate, force, normal, bend: 0.0 }
+            }
+            Side::Member { local, shift } => {
+                let apart = minus(&position(y, link.first), &position(y, local));
+                let apart = minus(&apart, &shift);
+                let distance = length(&apart);
+                let normal = apart.map(|r| r / distance);
+                let v = minus(&velocity(y, link.first), &velocity(y, local));
+                let tangential = plus(&v, -dot(&v, &normal), &normal);
+                View { rate, force, normal, bend: dot(&tangential, &tangential) / distance }
+            }
+        }
+    }
+
+    /// d/dt, or d/ds, of all unknowns.
+    pub fn slopes(&self, y: &[f64], f: &mut [f64]) {
+        let pace = self.regular.map_or(1.0, |m| 2.0 * y[self.base() + 2 * m]);
+        f.fill(0.0);
+        f[0] = pace;
+        for c in 0..self.links.len() {
+            self.push(&self.view(y, c), c, f);
+        }
+        for c in 0..self.links.len() {
+            self.compress(y, c, pace, f);
+        }
+        for a in 0..self.masses.len() {
+            let at = 1 + 2 * D * a;
+            for k in 0..D {
+                f[at + k] = pace * y[at + D + k];
+                f[at + D + k] = pace * (f[at + D + k] + self.gravity[k]);
+            }
+        }
+    }
+
+    /// Adds a link's force to its members' accelerations (without gravity).
+    fn push(&self, view: &View<D>, c: usize, f: &mut [f64]) {
+        let link = &self.links[c];
+        let mut add = |a: usize, force: f64| {
+            let at = 1 + 2 * D * a + D;
+            (0..D).for_each(|k| f[at + k] += force / self.masses[a] * view.normal[k]);
+        };
+        add(link.first, view.force);
+        if let Side::Member { local, .. } = link.side {
+            add(local, -view.force);
+        }
+    }
+
+    /// The rates of a link's own unknowns, once all accelerations are there.
+    fn compress(&self, y: &[f64], c: usize, pace: f64, f: &mut [f64]) {
+        let (link, view) = (&self.links[c], self.view(y, c));
+        let toward = match link.side {
+            Side::Member { local, .. } => minus(&velocity(f, link.first), &velocity(f, local)),
+            Side::Wall { .. } => plus(&velocity(f, link.first), 1.0, self.gravity),
+        };
+        let growth = -dot(&view.normal, &toward) - view.bend;
+        let at = self.base() + 2 * c;
+        f[at] = if self.regular == Some(c) { view.rate } else { pace * view.rate };
+        f[at + 1] = pace
+            * match link.by_force {
+                true => view.rate + link.law.relaxation * growth,
+                false => growth,
+            };
+    }
+
+    /// Positive while contact c lasts: w (MP13) or x (L94).
+    pub fn margin(&self, segment: &Segment, theta: f64, c: usize, end: End) -> f64 {
+        let at = self.base() + 2 * c;
+        let link = &self.links[c];
+        let raw = segment.one(theta, at);
+        if end == End::Overlap || link.law.relaxation == 0.0 {
+            return raw;
+        }
+        let second = segment.one(theta, at + 1);
+        if link.by_force {
+            return second;
+        }
+        let x = if self.regular == Some(c) { raw * raw } else { raw };
+        x + link.law.relaxation * second
+    }
+
+    pub fn pack(&self, cluster: &Cluster<D>) -> Vec<f64> {
+        let mut y = vec![cluster.elapsed];
+        for (r, v) in cluster.positions.iter().zip(&cluster.velocities) {
+            y.extend(r.iter().chain(v));
+        }
+        for (c, link) in cluster.links.iter().enumerate() {
+            let x = link.overlap;
+            y.push(if self.regular == Some(c) { x.max(0.0).sqrt() } else { x });
+            y.push(link.second);
+        }
+        y
+    }
+
+    /// Positions count against the radius, velocities against the fastest contact, the links'
+    /// unknowns against themselves.
+    pub fn scales(&self, cluster: &Cluster<D>) -> Vec<Scale> {
+        let speed = cluster.speed_scale();
+        let mut scales = vec![Scale::Largest(0.0)];
+        for radius in &cluster.radii {
+            scales.extend([Scale::Fixed(*radius); D]);
+            scales.extend([Scale::Fixed(speed); D]);
+        }
+        for link in &cluster.links {
+            let floor = match link.by_force {
+                true => 0.0,
+                false => 0.1 * link.law.speed_scale(link.overlap),
+            };
+            scales.extend([Scale::Largest(0.0), Scale::Largest(floor)]);
+        }
+        scales
+    }
+}

@@ -1,0 +1,161 @@
+//! How does a contact begin, and clusters join or part? Reads states and contacts; writes clusters and first steps.
+
+use super::super::law::{ContactLaw, End, Shape};
+use super::super::system::Grain;
+use super::super::vector::{Vector, length, minus};
+use super::{Cluster, Link, Side};
+
+impl<const D: usize> Cluster<D> {
+    /// A cluster of one grain, without a contact yet.
+    pub fn single(id: usize, grain: &Grain<D>, time: f64, gravity: Vector<D>, end: End) -> Self {
+        Self {
+            grains: vec![id],
+            radii: vec![grain.radius],
+            masses: vec![grain.mass],
+            positions: vec![grain.position],
+            velocities: vec![grain.velocity],
+            links: Vec::new(),
+            origin: time,
+            elapsed: 0.0,
+            gravity,
+            end,
+            step: None,
+            active: None,
+            steps: 0,
+        }
+    }
+
+    /// Takes in all of another cluster; both must stand at the same time, without a step ahead.
+    pub fn join(&mut self, other: Self, time: f64) {
+        let base = self.grains.len();
+        self.grains.extend(other.grains);
+        self.radii.extend(other.radii);
+        self.masses.extend(other.masses);
+        self.positions.extend(other.positions);
+        self.velocities.extend(other.velocities);
+        self.links.extend(other.links.into_iter().map(|mut link| {
+            link.first += base;
+            if let Side::Member { local, .. } = &mut link.side {
+                *local += base;
+            }
+            link
+        }));
+        (self.origin, self.elapsed, self.step) = (time, 0.0, None);
+        self.steps += other.steps;
+    }
+
+    /// Adds a contact that begins now.
+    pub fn touch(
+        &mut self,
+        first: usize,
+        side: Side<D>,
+        law: ContactLaw,
+        at: [f64; 2],
+        record: usize,
+    ) {
+        let [overlap, rate] = at;
+        let fastest = match rate > 0.0 {
+            true => 1.0 / law.time_scale(rate),
+            false => 0.0,
+        };
+        let fastest = fastest.max((law.gain(overlap.max(0.0).sqrt()) / law.mass).sqrt());
+        let by_force = law.relaxation * fastest > 1.0;
+        let second = if by_force { overlap + law.relaxation * rate } else { rate };
+        self.links.push(Link { first, side, law, overlap, second, by_force, record });
+        self.step = None;
+    }
+
+    /// The parts that still hang together; grains without a contact come alone.
+    pub fn parts(self) -> Vec<Self> {
+        let group = self.groups();
+        let count = group.iter().max().map_or(0, |g| g + 1);
+        (0..count).map(|part| self.part(&group, part)).collect()
+    }
+
+    fn groups(&self) -> Vec<usize> {
+        let n = self.grains.len();
+        let mut group: Vec<usize> = (0..n).collect();
+        for _ in 0..n {
+            for link in &self.links {
+                if let Side::Member { local, .. } = link.side {
+                    let least = group[link.first].min(group[local]);
+                    (group[link.first], group[local]) = (least, least);
+                }
+            }
+        }
+        let mut names: Vec<usize> = group.clone();
+        names.sort_unstable();
+        names.dedup();
+        group.iter().map(|g| names.binary_search(g).unwrap_or(0)).collect()
+    }
+
+    fn part(&self, group: &[usize], part: usize) -> Self {
+        let members: Vec<usize> = (0..group.len()).filter(|&a| group[a] == part).collect();
+        let place = |a: usize| members.iter().position(|&m| m == a).unwrap_or(0);
+        let links = self.links.iter().filter(|link| group[link.first] == part).map(|link| {
+            let mut link = link.clone();
+            link.first = place(link.first);
+            if let Side::Member { local, .. } = &mut link.side {
+                *local = place(*local);
+            }
+            link
+        });
+        Self {
+            grains: members.iter().map(|&a| self.grains[a]).collect(),
+            radii: members.iter().map(|&a| self.radii[a]).collect(),
+            masses: members.iter().map(|&a| self.masses[a]).collect(),
+            positions: members.iter().map(|&a| self.positions[a]).collect(),
+            velocities: members.iter().map(|&a| self.velocities[a]).collect(),
+            links: links.collect(),
+            step: None,
+            active: None,
+            steps: 0,
+            ..*self
+        }
+    }
+
+    /// The link that most needs its square root removed: the viscoelastic one with least overlap.
+    pub(super) fn regular(&self) -> Option<usize> {
+        let able = |link: &&(usize, &Link<D>)| {
+            let link = link.1;
+            link.law.shape == Shape::Hertz && (link.overlap > 0.0 || link.rate() > 0.0)
+        };
+        let all: Vec<(usize, &Link<D>)> = self.links.iter().enumerate().collect();
+        let least =
+            |a: &&(usize, &Link<D>), b: &&(usize, &Link<D>)| a.1.overlap.total_cmp(&b.1.overlap);
+        all.iter().filter(able).min_by(least).map(|(c, _)| *c)
+    }
+
+    /// The step to try first, in t or in s.
+    pub(super) fn first_step(&self, regular: Option<usize>) -> f64 {
+        if let Some((of, h)) = self.step
+            && of == regular
+        {
+            return h;
+        }
+        let span = self.links.iter().map(|l| self.span(l)).fold(f64::INFINITY, f64::min) / 6.0;
+        let Some(m) = regular else { return span };
+        let (q, u) = (self.links[m].overlap.max(0.0).sqrt(), self.links[m].rate().max(0.0));
+        span / (q + (q * q + u * span).sqrt())
+    }
+
+    fn span(&self, link: &Link<D>) -> f64 {
+        let typical = link.law.speed_scale(link.overlap).max(link.rate().abs());
+        let still = (self.gravity.iter().fold(0.0, |m: f64, g| m.max(g.abs())) * 1e-3).max(1e-9);
+        link.law.contact_time(typical.max(still))
+    }
+
+    /// The largest relative speed over a contact, or the speed its overlap stands for.
+    pub(super) fn speed_scale(&self) -> f64 {
+        let of = |link: &Link<D>| {
+            let v = match link.side {
+                Side::Member { local, .. } => {
+                    minus(&self.velocities[link.first], &self.velocities[local])
+                }
+                Side::Wall { .. } => self.velocities[link.first],
+            };
+            length(&v).max(0.1 * link.law.speed_scale(link.overlap))
+        };
+        self.links.iter().map(of).fold(1e-12, f64::max)
+    }
+}

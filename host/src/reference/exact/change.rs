@@ -1,0 +1,256 @@
+//! What changes when a contact begins or ends? Reads the run at that instant; writes its clusters, records and forecasts.
+
+use super::super::cluster::{Cluster, Side};
+use super::super::law::End;
+use super::super::system::Boundary;
+use super::super::vector::{Vector, dot, length, minus};
+use super::flight::Target;
+use super::{ContactRecord, Event, EventKind, Exact, Forecast, Partner};
+
+impl<const D: usize> Exact<D> {
+    /// Grains that overlap at the start.
+    pub(super) fn begin_overlapping(&mut self) {
+        for i in 0..self.grains.len() {
+            for target in self.near(i) {
+                let [x, u] = self.approach(i, target);
+                let pushes = x + self.relaxation(i, target) * u > 0.0;
+                if x > 0.0 && (pushes || self.end == End::Overlap) {
+                    self.begin(i, target, true);
+                }
+            }
+        }
+    }
+
+    /// Walls, and grains of higher number in any image, that grain i overlaps now.
+    fn near(&self, i: usize) -> Vec<Target<D>> {
+        let mut found = self.walls();
+        for j in i + 1..self.grains.len() {
+            let d = minus(&self.position(i), &self.position(j));
+            let reach = self.grains[i].radius + self.grains[j].radius;
+            found.extend(
+                self.images_near(&d, reach)
+                    .into_iter()
+                    .map(|shift| Target::Grain { other: j, shift }),
+            );
+        }
+        found.retain(|target| self.approach(i, *target)[0] > 0.0);
+        found
+    }
+
+    pub(super) fn walls(&self) -> Vec<Target<D>> {
+        let walled = |axis: &usize| matches!(self.boundary[*axis], Boundary::Walls { .. });
+        let both = |axis| [false, true].map(|upper| Target::Wall { axis, upper });
+        (0..D).filter(walled).flat_map(both).collect()
+    }
+
+    /// Overlap and its rate, now.
+    pub(super) fn approach(&self, i: usize, target: Target<D>) -> [f64; 2] {
+        self.approach_at(i, target, self.now)
+    }
+
+    pub(super) fn approach_at(&self, i: usize, target: Target<D>, time: f64) -> [f64; 2] {
+        let (r, v) = self.state(i, time);
+        match target {
+            Target::Wall { axis, upper } => {
+                let (facing, at) = self.wall(axis, upper);
+                [self.grains[i].radius - facing * (r[axis] - at), -facing * v[axis]]
+            }
+            Target::Grain { other, shift } => {
+                let (rj, vj) = self.state(other, time);
+                let d = minus(&minus(&r, &rj), &shift);
+                let reach = self.grains[i].radius + self.grains[other].radius;
+                let distance = length(&d);
+                [reach - distance, -dot(&d, &minus(&v, &vj)) / distance]
+            }
+        }
+    }
+
+    pub(super) fn relaxation(&self, i: usize, target: Target<D>) -> f64 {
+        self.contact_law(i, target).relaxation
+    }
+
+    fn contact_law(&self, i: usize, target: Target<D>) -> super::super::law::ContactLaw {
+        let a = &self.grains[i];
+        match target {
+            Target::Wall { .. } => self.law.wall(a.radius, a.mass),
+            Target::Grain { other, .. } => {
+                let b = &self.grains[other];
+                self.law.pair([a.radius, b.radius], [a.mass, b.mass])
+            }
+        }
+    }
+
+    fn wall(&self, axis: usize, upper: bool) -> (f64, f64) {
+        match (self.boundary[axis], upper) {
+            (Boundary::Walls { lo, .. }, false) => (1.0, lo),
+            (Boundary::Walls { hi, .. }, true) => (-1.0, hi),
+            _ => (1.0, f64::NEG_INFINITY),
+        }
+    }
+
+    /// The forecast of grain i has come true.
+    pub(super) fn meet(&mut self, i: usize) -> Option<Event> {
+        match self.forecasts[i].target {
+            Some(target) => {
+                let overlapped = self.approach(i, target)[0] > 1e-9 * self.grains[i].radius;
+                Some(self.begin(i, target, overlapped))
+            }
+            None => {
+                self.rest(i);
+                self.foresee(i);
+                None
+            }
+        }
+    }
+
+    /// Begins a contact now, with the overlap there is or with none.
+    pub(super) fn begin(&mut self, i: usize, target: Target<D>, overlapped: bool) -> Event {
+        let [x, u] = self.approach(i, target);
+        let law = self.contact_law(i, target);
+        let partner = match target {
+            Target::Grain { other, .. } => Partner::Grain(other),
+            Target::Wall { axis, upper } => Partner::Wall { axis, upper },
+        };
+        let home = self.gather(i, target);
+        let record = self.record(i, partner);
+        let cluster = &mut self.clusters[home];
+        let first = cluster.local(i).unwrap_or(0);
+        let side = match target {
+            Target::Grain { other, shift } => {
+                Side::Member { local: cluster.local(other).unwrap_or(0), shift }
+            }
+            Target::Wall { axis, upper } => {
+                let (facing, at) = self.wall(axis, upper);
+                Side::Wall { axis, facing, at }
+            }
+        };
+        let at = [if overlapped { x } else { 0.0 }, u];
+        self.clusters[home].touch(first, side, law, at, record);
+        self.note_three(home, i, partner);
+        Event { time: self.now, kind: EventKind::Begin, record }
+    }
+
+    fn record(&mut self, i: usize, partner: Partner) -> usize {
+        let (grain, partner) = match partner {
+            Partner::Grain(j) => (i.min(j), Partner::Grain(i.max(j))),
+            wall => (i, wall),
+        };
+        self.records.push(ContactRecord { grain, partner, begin: self.now, end: None });
+        self.records.len() - 1
+    }
+
+    fn note_three(&mut self, home: usize, i: usize, partner: Partner) {
+        let links = &self.clusters[home].links;
+        let touches = |grain: usize| {
+            let local = self.clusters[home].local(grain);
+            let of = |link: &&super::super::cluster::Link<D>| {
+                Some(link.first) == local
+                    || matches!(link.side, Side::Member { local: l, .. } if Some(l) == local)
+            };
+            links.iter().filter(of).count()
+        };
+        let other = if let Partner::Grain(j) = partner { touches(j) } else { 0 };
+        if self.three.is_none() && (touches(i) > 1 || other > 1) {
+            self.three = Some(self.now);
+        }
+    }
+
+    /// One cluster, standing at now, that holds grain i and the target.
+    fn gather(&mut self, i: usize, target: Target<D>) -> usize {
+        let home = self.cluster_of(i);
+        let Target::Grain { other, .. } = target else { return home };
+        let guest = self.cluster_of(other);
+        if guest == home {
+            return home;
+        }
+        let joining = self.take(guest);
+        let home = self.owner[i].unwrap_or(0);
+        self.clusters[home].join(joining, self.now);
+        self.own(home);
+        home
+    }
+
+    /// The cluster of a grain, stopped now; a new one if it flies freely.
+    fn cluster_of(&mut self, i: usize) -> usize {
+        if let Some(k) = self.owner[i] {
+            self.clusters[k].stop_at(self.now);
+            return k;
+        }
+        self.rest(i);
+        let cluster = Cluster::single(i, &self.grains[i], self.now, self.gravity, self.end);
+        self.clusters.push(cluster);
+        self.own(self.clusters.len() - 1);
+        self.forecasts[i] = Forecast::NEVER;
+        let about =
+            |f: &Forecast<D>| matches!(f.target, Some(Target::Grain { other, .. }) if other == i);
+        let stale: Vec<usize> =
+            (0..self.grains.len()).filter(|&j| about(&self.forecasts[j])).collect();
+        stale.into_iter().for_each(|j| self.foresee(j));
+        self.clusters.len() - 1
+    }
+
+    /// Brings a free grain's state to now, into the periodic box.
+    fn rest(&mut self, i: usize) {
+        let (mut position, velocity) = self.state(i, self.now);
+        for (p, bound) in position.iter_mut().zip(&self.boundary) {
+            if let Boundary::Periodic { lo, hi } = *bound {
+                *p -= (hi - lo) * ((*p - lo) / (hi - lo)).floor();
+            }
+        }
+        (self.grains[i].position, self.grains[i].velocity) = (position, velocity);
+        self.since[i] = self.now;
+    }
+
+    fn take(&mut self, k: usize) -> Cluster<D> {
+        let cluster = self.clusters.swap_remove(k);
+        if k < self.clusters.len() {
+            self.own(k);
+        }
+        cluster
+    }
+
+    fn own(&mut self, k: usize) {
+        for &grain in &self.clusters[k].grains {
+            self.owner[grain] = Some(k);
+        }
+    }
+
+    /// A cluster's step is over; its contact may be.
+    pub(super) fn finish_step(&mut self, k: usize) -> Option<Event> {
+        let link = self.clusters[k].finish()?;
+        let mut cluster = self.take(k);
+        let record = cluster.links.remove(link).record;
+        self.records[record].end = Some(self.now);
+        self.steps += cluster.steps;
+        let mut freed = Vec::new();
+        for part in cluster.parts() {
+            if part.links.is_empty() {
+                freed.push(self.release(&part));
+            } else {
+                self.clusters.push(part);
+                self.own(self.clusters.len() - 1);
+            }
+        }
+        freed.into_iter().for_each(|i| self.foresee(i));
+        Some(Event { time: self.now, kind: EventKind::End, record })
+    }
+
+    fn release(&mut self, part: &Cluster<D>) -> usize {
+        let i = part.grains[0];
+        self.owner[i] = None;
+        self.grains[i].position = part.positions[0];
+        self.grains[i].velocity = part.velocities[0];
+        self.since[i] = self.now;
+        self.rest(i);
+        i
+    }
+
+    pub(super) fn images_near(&self, d: &Vector<D>, reach: f64) -> Vec<Vector<D>> {
+        let period: Vector<D> = std::array::from_fn(|k| self.period(k));
+        let range = std::array::from_fn(|k| {
+            let (low, high) = super::flight::images(d[k], [0.0, 0.0], reach, period[k]);
+            (-high, -low)
+        });
+        super::flight::shifts(range, period)
+    }
+}

@@ -1,0 +1,26 @@
+//! What would force-based molecular dynamics do? Reads grains, box and force law; writes their motion.
+//!
+//! The judge: Newton's equations of the same grains, integrated with the force laws themselves and
+//! nothing of the event-driven core, its tables or its rules. It comes in two kinds:
+//!
+//! * [`Verlet`]: what is used in practice, and what the event-driven methods are timed against.
+//! * [`Exact`]: the same motion to about 12 digits, contact by contact; [`collide`] for one pair.
+//!
+//! Both know both ends of a contact ([`End`]), one, two and three dimensions, uniform gravity,
+//! periodic boxes and soft plane walls.
+
+mod cluster;
+mod collocation;
+mod error;
+mod exact;
+mod law;
+mod pair;
+mod roots;
+mod system;
+mod vector;
+
+pub use error::ReferenceError;
+pub use exact::{ContactRecord, Event, EventKind, Exact, Partner};
+pub use law::{ContactLaw, End, ForceLaw};
+pub use pair::{Collision, collide};
+pub use system::{Boundary, Grain, System};
