@@ -9,6 +9,7 @@
 //! Both know both ends of a contact ([`End`]), one, two and three dimensions, uniform gravity,
 //! periodic boxes and soft plane walls.
 
+mod cells;
 mod cluster;
 mod collocation;
 mod error;
@@ -17,6 +18,7 @@ mod law;
 mod pair;
 mod roots;
 mod system;
+mod timestep;
 mod vector;
 
 pub use error::ReferenceError;
@@ -24,3 +26,4 @@ pub use exact::{ContactRecord, Event, EventKind, Exact, Partner};
 pub use law::{ContactLaw, End, ForceLaw};
 pub use pair::{Collision, collide};
 pub use system::{Boundary, Grain, System};
+pub use timestep::{Counters, Verlet, VerletOptions};

@@ -158,10 +158,6 @@ impl<const D: usize> System<D> {
         &self.gravity
     }
 
-    pub(super) fn grains_mut(&mut self) -> &mut [Grain<D>] {
-        &mut self.grains
-    }
-
     /// Σ m v²/2.
     pub fn kinetic_energy(&self) -> f64 {
         self.grains.iter().map(|g| 0.5 * g.mass * dot(&g.velocity, &g.velocity)).sum()
