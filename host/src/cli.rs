@@ -18,6 +18,8 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Run a scenario by several methods from the same start and compare what they get.
+    Compare(commands::compare::Options),
     /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
     Collide(commands::collide::Options),
     /// Show what the embedded tables hold and how exact they are.
@@ -34,6 +36,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
         Err(error) => return refuse(&error),
     };
     match arguments.command {
+        Some(Command::Compare(options)) => commands::compare::run(&options),
         Some(Command::Collide(options)) => commands::collide::run(&options),
         Some(Command::Table(options)) => commands::table::run(&options),
         None => anyhow::bail!("the demo is not there yet"),

@@ -7,10 +7,14 @@
 pub mod cli;
 pub mod collide;
 pub mod commands;
+pub mod compare;
 pub mod integrated;
+pub mod method;
 pub mod output;
 pub mod plot;
 pub mod reference;
+pub mod run;
 pub mod scale;
+pub mod scenario;
 pub mod storage;
 pub mod tables;

@@ -2,11 +2,14 @@
 
 use crate::collide::Restitution;
 use anyhow::{Result, bail};
+use carom::law::tables as embedded;
 use carom_tables::{End, Groups, Law, Scaled, Table};
 use clap::ValueEnum;
+use serde::Deserialize;
 
 /// The size of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
 pub enum Size {
     /// For the smallest microcontrollers.
     Compact,
@@ -29,10 +32,17 @@ impl Tables {
     /// # Errors
     /// When there is no table of that size.
     pub fn new(size: Size, end: End) -> Result<Self> {
-        bail!("no {size:?} table for {end:?} yet")
+        match (size, end) {
+            (Size::Standard, End::Force) => Ok(Self {
+                linear: &embedded::standard::LINEAR_DASHPOT,
+                viscoelastic: &embedded::standard::VISCOELASTIC,
+            }),
+            _ => bail!("no {size:?} table for {end:?} yet"),
+        }
     }
 
-    fn table(&self, law: Law) -> &'static Table<f32> {
+    /// The table of one law.
+    pub fn table(&self, law: Law) -> &'static Table<f32> {
         match law {
             Law::LinearDashpot => self.linear,
             Law::Viscoelastic => self.viscoelastic,

@@ -1,4 +1,5 @@
 //! What does each command do? Reads the options of one command; writes its results.
 
 pub mod collide;
+pub mod compare;
 pub mod table;

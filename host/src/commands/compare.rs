@@ -1,0 +1,81 @@
+//! `carom compare`: do the methods agree? Reads a scenario; writes a table or JSON, and files if asked.
+
+use crate::compare::{self, Comparison};
+use crate::output;
+use crate::scenario::Scenario;
+use anyhow::{Context, Result};
+use clap::Args;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// The options of `carom compare`.
+#[derive(Args, Debug)]
+pub struct Options {
+    /// The scenario (TOML); three are explained in host/scenarios.
+    scenario: PathBuf,
+    /// Print JSON instead of a table.
+    #[arg(long)]
+    json: bool,
+    /// Also write comparison.csv and comparison.json into this directory.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// Runs and compares.
+///
+/// # Errors
+/// A scenario that cannot be read or run, a file that cannot be written.
+pub fn run(options: &Options) -> Result<()> {
+    let scenario = Scenario::read(&options.scenario)?;
+    let name = options.scenario.display();
+    let (start, tracks) = compare::tracks(&scenario).with_context(|| format!("{name}"))?;
+    let comparison = compare::summarise(&scenario, &start, &tracks)?;
+    let mut sink = BufWriter::new(std::io::stdout().lock());
+    if options.json {
+        serde_json::to_writer_pretty(&mut sink, &comparison)?;
+        writeln!(sink)?;
+    } else {
+        compare::print(&mut sink, &comparison)?;
+    }
+    if let Some(folder) = &options.out {
+        write_files(folder, &comparison)?;
+    }
+    sink.flush()?;
+    Ok(())
+}
+
+/// Writes comparison.csv and comparison.json.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn write_files(folder: &Path, comparison: &Comparison) -> Result<()> {
+    let json = serde_json::to_vec_pretty(comparison)?;
+    output::write_file(&folder.join("comparison.json"), &json)?;
+    let mut rows = csv::Writer::from_writer(Vec::new());
+    rows.write_record([
+        "method",
+        "time",
+        "collisions",
+        "collisions_per_grain",
+        "kinetic_energy",
+        "apart_rms",
+        "apart_largest",
+    ])?;
+    for summary in &comparison.methods {
+        for point in &summary.series {
+            let apart = point.apart.map(|apart| [apart.rms, apart.largest]);
+            let [rms, largest] =
+                apart.map_or_else(Default::default, |a| a.map(|x| format!("{x:?}")));
+            rows.write_record([
+                summary.method.file_stem().to_owned(),
+                format!("{:?}", point.time),
+                point.collisions.to_string(),
+                format!("{:?}", point.collisions_per_grain),
+                format!("{:?}", point.kinetic_energy),
+                rms,
+                largest,
+            ])?;
+        }
+    }
+    output::write_file(&folder.join("comparison.csv"), &rows.into_inner()?)
+}

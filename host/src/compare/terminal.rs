@@ -1,0 +1,97 @@
+//! How does a comparison look on a terminal? Reads a comparison; writes a table as text.
+
+use super::{Comparison, FOLLOWING, Summary};
+use anyhow::Result;
+use std::io::Write;
+
+const HEAD: [&str; 8] = [
+    "method",
+    "collisions",
+    "energy [J]",
+    "apart rms [R]",
+    "largest [R]",
+    "follows to [s]",
+    "cost [s]",
+    "speed-up",
+];
+
+/// Prints the comparison: what each method got, what it cost, and what was out of the ordinary.
+///
+/// # Errors
+/// What `sink` says.
+pub fn print(sink: &mut dyn Write, comparison: &Comparison) -> Result<()> {
+    writeln!(sink, "{} ({} grains)", comparison.title, comparison.grains)?;
+    let mut rows = vec![HEAD.map(str::to_owned)];
+    rows.extend(comparison.methods.iter().map(|summary| row(comparison, summary)));
+    let widths: Vec<usize> = (0..HEAD.len())
+        .map(|column| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0))
+        .collect();
+    for (number, row) in rows.iter().enumerate() {
+        let cells = row.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
+            if column == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+        });
+        writeln!(sink, "  {}", cells.collect::<Vec<_>>().join("  "))?;
+        if number == 0 {
+            let total = widths.iter().sum::<usize>() + 2 * (widths.len() - 1);
+            writeln!(sink, "  {}", "-".repeat(total))?;
+        }
+    }
+    notes(sink, comparison)
+}
+
+fn row(comparison: &Comparison, summary: &Summary) -> [String; 8] {
+    let radius = comparison.mean_radius;
+    let is_judge = summary.method == comparison.judge;
+    let dash = || "-".to_owned();
+    let [rms, largest] = match summary.apart {
+        Some(apart) if !is_judge => {
+            [apart.rms, apart.largest].map(|length| format!("{:.1e}", length / radius))
+        }
+        _ => [dash(), dash()],
+    };
+    [
+        summary.method.label().to_owned(),
+        summary.collisions.to_string(),
+        format!("{:.6}", summary.kinetic_energy),
+        rms,
+        largest,
+        match summary.followed_until {
+            _ if is_judge => dash(),
+            Some(time) => format!("{time:.3}"),
+            None => "the end".to_owned(),
+        },
+        seconds(summary.wall_seconds),
+        summary.speed_up.filter(|_| !is_judge).map_or_else(dash, speed_up),
+    ]
+}
+
+fn seconds(seconds: f64) -> String {
+    if seconds < 0.01 { format!("{seconds:.1e}") } else { format!("{seconds:.3}") }
+}
+
+fn speed_up(factor: f64) -> String {
+    if factor < 10.0 { format!("{factor:.2}") } else { format!("{factor:.0}") }
+}
+
+fn notes(sink: &mut dyn Write, comparison: &Comparison) -> Result<()> {
+    writeln!(
+        sink,
+        "  apart: positions against {} at t = {:.4} s, grains in contact left out; \
+         follows: rms below {FOLLOWING} R",
+        comparison.judge.label(),
+        comparison.compared_at
+    )?;
+    for summary in &comparison.methods {
+        let told = ["rotation_refused", "interrupted", "clamped", "hard_sphere"];
+        let list: Vec<String> = summary
+            .counters
+            .iter()
+            .filter(|(name, _)| told.contains(name))
+            .map(|(name, count)| format!("{} {count}", name.replace('_', " ")))
+            .collect();
+        if !list.is_empty() {
+            writeln!(sink, "  {}: {}", summary.method.label(), list.join(", "))?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,179 @@
+//! By which method does a scenario run? Reads a scenario; writes nothing, lends one running method.
+
+mod event_driven;
+mod force_based;
+pub mod rule;
+mod touching;
+
+pub use event_driven::{EventDriven, Logged};
+pub use force_based::ForceBased;
+pub use touching::touching;
+
+use crate::reference::{self, Exact, Verlet, VerletOptions};
+use crate::scenario::{MethodName, Placed, ReleaseSpec, Scenario, Side, Start};
+use crate::storage::Storage;
+use anyhow::{Context, Result, anyhow};
+use carom::matter::{Plane, Surface};
+use carom::world::Setup;
+use carom::{Grain, Release, World};
+
+/// One way to find out what the grains do.
+///
+/// All methods start from the same [`Start`] and can be asked the same things, so that a
+/// comparison needs to know nothing else of them.
+pub trait Method {
+    /// Which one it is.
+    fn name(&self) -> MethodName;
+
+    /// The present [s].
+    fn time(&self) -> f64;
+
+    /// Goes on to an instant.
+    ///
+    /// # Errors
+    /// What the method itself says.
+    fn advance_to(&mut self, time: f64) -> Result<()>;
+
+    /// All grains as they are now, inside the box where it is periodic.
+    fn grains(&self) -> Vec<Placed>;
+
+    /// Kinetic energy [J].
+    fn kinetic_energy(&self) -> f64;
+
+    /// Contacts begun so far, with grains and walls.
+    fn collisions(&self) -> u64;
+
+    /// How often everything happened, by name.
+    fn counters(&self) -> Vec<(&'static str, u64)>;
+
+    /// The events since the last call, if a log was asked for.
+    fn take_events(&mut self) -> Vec<Logged> {
+        Vec::new()
+    }
+}
+
+/// Sets a method up and lends it to `work`.
+///
+/// # Errors
+/// What the set-up says, or `work`.
+///
+/// ```
+/// use carom_host::{method, scenario::{MethodName, Scenario, Start}};
+/// let scenario = Scenario::parse("dimension = 1\nduration = 1.0\nsample = 1.0\n\
+///     [law]\nkind = \"lsd\"\nstiffness = 1e6\ndamping = 0.0\n\
+///     [[grain]]\nradius = 0.1\nmass = 1.0\nat = [0.0]\nmoving = [1.0]\n\
+///     [[grain]]\nradius = 0.1\nmass = 1.0\nat = [0.5]").unwrap();
+/// let start = Start::new(&scenario).unwrap();
+/// let speed = method::with(MethodName::Emd, &scenario, &start, |method| {
+///     method.advance_to(1.0)?;
+///     Ok(method.grains()[1].velocity[0])
+/// }).unwrap();
+/// assert!((speed - 1.0).abs() < 1e-6);
+/// ```
+pub fn with<T>(
+    name: MethodName,
+    scenario: &Scenario,
+    start: &Start,
+    work: impl FnOnce(&mut dyn Method) -> Result<T>,
+) -> Result<T> {
+    match start.dimension {
+        1 => with_dimension::<1, T>(name, scenario, start, work),
+        2 => with_dimension::<2, T>(name, scenario, start, work),
+        _ => with_dimension::<3, T>(name, scenario, start, work),
+    }
+}
+
+fn with_dimension<const D: usize, T>(
+    name: MethodName,
+    scenario: &Scenario,
+    start: &Start,
+    work: impl FnOnce(&mut dyn Method) -> Result<T>,
+) -> Result<T> {
+    let context = || name.label();
+    match name {
+        MethodName::Md => {
+            let (system, law) = system::<D>(scenario, start)?;
+            let (end, options) = (reference::End::Force, VerletOptions::default());
+            let run = Verlet::new(&system, law, end, options).with_context(context)?;
+            work(&mut ForceBased::new(run, start)).with_context(context)
+        }
+        MethodName::Exact => {
+            let (system, law) = system::<D>(scenario, start)?;
+            let run = Exact::new(system, law, reference::End::Force).with_context(context)?;
+            work(&mut ForceBased::new(run, start)).with_context(context)
+        }
+        MethodName::Emd | MethodName::EmdStar => {
+            let rule = rule::rule(name, scenario)?;
+            let mut storage = Storage::<f64, D>::new(start.grains.len());
+            let setup = World::setup(&mut storage).gravity(first(&start.gravity));
+            let setup = enclose(setup.release(release(scenario)), start).rule(&*rule);
+            let grains = start.grains.iter().map(|grain| {
+                Grain::with_mass(grain.radius, grain.mass)
+                    .at(first(&grain.position))
+                    .moving(first(&grain.velocity))
+            });
+            let world = setup.grains(grains).and_then(Setup::start);
+            let world = world.map_err(|fault| anyhow!("{}: {fault}", name.label()))?;
+            work(&mut EventDriven::new(world, name, scenario.options.events)).with_context(context)
+        }
+    }
+}
+
+fn release(scenario: &Scenario) -> Release {
+    match scenario.options.release {
+        ReleaseSpec::Paired => Release::Paired,
+        ReleaseSpec::Independent => Release::Independent,
+    }
+}
+
+fn enclose<'m, const D: usize, R>(
+    mut setup: Setup<'m, f64, D, R>,
+    start: &Start,
+) -> Setup<'m, f64, D, R> {
+    for (axis, side) in start.sides.iter().enumerate().take(D) {
+        let (surface, [from, to]) = match *side {
+            Side::Open => continue,
+            Side::Periodic(range) => {
+                setup = setup.periodic_axis(axis, range);
+                continue;
+            }
+            Side::Soft(range) => (Surface::Rule, range),
+            Side::Hard(range, restitution) => (Surface::Hard(restitution), range),
+        };
+        for (at, facing) in [(from, 1.0), (to, -1.0)] {
+            let mut normal = [0.0; D];
+            normal[axis] = facing;
+            setup = setup.plane(Plane { normal: normal.into(), offset: facing * at, surface });
+        }
+    }
+    setup
+}
+
+fn system<const D: usize>(
+    scenario: &Scenario,
+    start: &Start,
+) -> Result<(reference::System<D>, reference::ForceLaw)> {
+    let boundary = std::array::from_fn(|axis| match start.sides[axis] {
+        Side::Periodic([lo, hi]) => reference::Boundary::Periodic { lo, hi },
+        Side::Soft([lo, hi]) | Side::Hard([lo, hi], _) => reference::Boundary::Walls { lo, hi },
+        Side::Open => reference::Boundary::Open,
+    });
+    let grains = start.grains.iter().map(|grain| reference::Grain {
+        radius: grain.radius,
+        mass: grain.mass,
+        position: first(&grain.position),
+        velocity: first(&grain.velocity),
+    });
+    let system = reference::System::new(grains.collect(), boundary, first(&start.gravity))?;
+    Ok((system, rule::force_law(scenario)?))
+}
+
+/// The first `D` of three numbers.
+fn first<const D: usize>(numbers: &[f64; 3]) -> [f64; D] {
+    std::array::from_fn(|k| numbers[k])
+}
+
+/// Three numbers, 0 beyond the dimension.
+fn three(numbers: &[f64]) -> [f64; 3] {
+    std::array::from_fn(|k| numbers.get(k).copied().unwrap_or(0.0))
+}

@@ -1,0 +1,135 @@
+//! How does one method get from start to end? Reads a method and a scenario; writes samples to whoever asks.
+
+use crate::method::{Logged, Method};
+use crate::scenario::{Placed, Scenario};
+use anyhow::Result;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::time::{Duration, Instant};
+
+/// What a method says at one time.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// The time [s].
+    pub time: f64,
+    /// All grains.
+    pub grains: Vec<Placed>,
+    /// Kinetic energy [J].
+    pub kinetic_energy: f64,
+    /// Contacts so far.
+    pub collisions: u64,
+    /// Everything that was counted so far.
+    pub counters: Vec<(&'static str, u64)>,
+    /// Events since the last sample, if a log was asked for.
+    pub events: Vec<Logged>,
+}
+
+/// When a run ends, and at what times it is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// Time between two samples.
+    pub sample: f64,
+    /// Last instant, if the scenario gives one.
+    pub duration: f64,
+    /// Collisions to run, if the scenario gives them.
+    pub collisions: u64,
+}
+
+impl Plan {
+    /// The plan of a scenario.
+    pub fn new(scenario: &Scenario) -> Self {
+        Self {
+            sample: scenario.sample,
+            duration: scenario.duration.unwrap_or(f64::INFINITY),
+            collisions: scenario.collisions.unwrap_or(u64::MAX),
+        }
+    }
+
+    /// The same samples until a given instant.
+    pub const fn until(self, duration: f64) -> Self {
+        Self { duration, collisions: u64::MAX, ..self }
+    }
+
+    /// The instant of a sample: multiples of the interval, and the end.
+    fn instant(&self, number: u32) -> f64 {
+        let time = f64::from(number) * self.sample;
+        // A last interval that differs from the others by round-off only is no interval.
+        if time > self.duration - 1e-9 * self.sample { self.duration } else { time }
+    }
+}
+
+/// Runs a method and hands each sample on; returns the seconds the method took, looking excluded.
+///
+/// # Errors
+/// What the method says, or whoever gets the samples.
+pub fn drive(
+    method: &mut dyn Method,
+    plan: &Plan,
+    mut each: impl FnMut(&Sample) -> Result<()>,
+) -> Result<f64> {
+    let progress = Progress::new(method.name().label(), plan);
+    let mut cost = Duration::ZERO;
+    for number in 0.. {
+        let time = plan.instant(number);
+        let begin = Instant::now();
+        method.advance_to(time)?;
+        cost += begin.elapsed();
+        let sample = look(method, time);
+        each(&sample)?;
+        progress.show(&sample);
+        if time >= plan.duration || sample.collisions >= plan.collisions {
+            break;
+        }
+    }
+    Ok(cost.as_secs_f64())
+}
+
+fn look(method: &mut dyn Method, time: f64) -> Sample {
+    Sample {
+        time,
+        grains: method.grains(),
+        kinetic_energy: method.kinetic_energy(),
+        collisions: method.collisions(),
+        counters: method.counters(),
+        events: method.take_events(),
+    }
+}
+
+/// A progress bar on standard error, if that is a terminal.
+struct Progress {
+    bar: ProgressBar,
+    plan: Plan,
+}
+
+const PARTS: u64 = 10_000;
+
+impl Progress {
+    fn new(label: &'static str, plan: &Plan) -> Self {
+        let style = "{prefix:>9} [{bar:32}] {percent:>3} %  {msg}  {eta} left";
+        let bar = ProgressBar::new(PARTS).with_prefix(label);
+        if let Ok(style) = ProgressStyle::with_template(style) {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        Self { bar, plan: *plan }
+    }
+
+    fn show(&self, sample: &Sample) {
+        let part = if self.plan.duration.is_finite() {
+            sample.time / self.plan.duration
+        } else {
+            sample.collisions as f64 / self.plan.collisions as f64
+        };
+        let seconds = self.bar.elapsed().as_secs_f64().max(1e-9);
+        let rate = sample.collisions as f64 / seconds;
+        self.bar.set_message(format!(
+            "t = {:.4} s, {} collisions, {rate:.0} a second",
+            sample.time, sample.collisions
+        ));
+        self.bar.set_position((part * PARTS as f64) as u64);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
