@@ -24,7 +24,6 @@ pub enum Kind {
 /// A grain's earliest event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(bound = ""))]
 pub struct Slot<S: Scalar> {
     pub(crate) time: S,
     pub(crate) kind: Kind,

@@ -47,14 +47,17 @@ impl<S: Scalar, const D: usize> Touch<S, D> {
 
     /// Separation and relative velocity after the contact (MP13 Eqs. 24, 26, 28, 34–38).
     ///
-    /// The distance becomes ε_r l whatever the rounding of the distance before was, and the
-    /// tangential velocity follows from the angular momentum L = m_eff r v_t exactly (Eq. 19).
+    /// Distance and tangential speed change by ε_r and 1/ε_r, so angular momentum (Eq. 19) and, in an
+    /// elastic contact, energy are kept to the last place. Only a pair that still overlaps from an
+    /// interrupted contact is put where the contact's end belongs, ε_r l: overlaps cannot add up.
     pub fn after(&self, reach: S, outcome: &Outcome<S>) -> (Vector<S, D>, Vector<S, D>) {
         let (sin, cos) = outcome.angle.sine_cosine();
         let e_r = self.e_r * cos + self.e_t * sin;
         let e_t = self.e_t * cos - self.e_r * sin;
-        let distance = reach * outcome.separation;
-        let tangential = self.tangential * (self.distance / distance);
+        let shallow = self.distance > reach * S::from_f64(1.0 - 1.0 / 1024.0);
+        let before = if shallow { self.distance } else { reach };
+        let distance = before * outcome.separation;
+        let tangential = self.tangential * (self.distance / before) / outcome.separation;
         let radial = -self.radial * outcome.restitution;
         if !(self.tangential > S::zero()) {
             return (self.e_r * distance, self.e_r * radial);

@@ -57,7 +57,6 @@ pub struct Periodic<S> {
 /// All of a world's boundaries.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(bound = ""))]
 pub struct Boundary<S: Scalar, const D: usize> {
     axes: Vector<Option<Periodic<S>>, D>,
     planes: heapless::Vec<Plane<S, D>, MOST_PLANES>,

@@ -25,7 +25,8 @@ fn guess<S: Scalar>(x: S) -> S {
 macro_rules! float {
     ($t:ty, $bits:ty, $sincos:path, $floor:path, $frexp:path, $ldexp:path, $mantissa:expr, $per_epoch:expr) => {
         impl Scalar for $t {
-            const NEVER: Self = <$t>::INFINITY;
+            // Finite, so that it survives every serialisation format.
+            const NEVER: Self = <$t>::MAX;
             const EVENTS_PER_EPOCH: u32 = $per_epoch;
 
             fn is_number(self) -> bool {

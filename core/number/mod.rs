@@ -73,6 +73,7 @@ pub trait Scalar:
         if self < Self::zero() { -self } else { self }
     }
     /// One half.
+    #[must_use]
     fn half() -> Self {
         Self::from_f32(0.5)
     }

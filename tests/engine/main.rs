@@ -1,0 +1,10 @@
+//! Does the engine keep what it promises? Conservation, symmetry, time, faults and snapshots, for all inputs.
+
+mod conservation;
+mod contact;
+mod faults;
+mod gas;
+mod rooms;
+mod saved;
+mod symmetry;
+mod time;
