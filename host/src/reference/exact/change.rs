@@ -176,7 +176,8 @@ impl<const D: usize> Exact<D> {
             self.clusters[k].stop_at(self.now);
             return k;
         }
-        self.rest(i);
+        // Not into the box: the target's image was chosen for where the grain is.
+        self.halt(i);
         let cluster = Cluster::single(i, &self.grains[i], self.now, self.gravity, self.end);
         self.clusters.push(cluster);
         self.own(self.clusters.len() - 1);
@@ -191,13 +192,17 @@ impl<const D: usize> Exact<D> {
 
     /// Brings a free grain's state to now, into the periodic box.
     fn rest(&mut self, i: usize) {
-        let (mut position, velocity) = self.state(i, self.now);
-        for (p, bound) in position.iter_mut().zip(&self.boundary) {
+        self.halt(i);
+        for (p, bound) in self.grains[i].position.iter_mut().zip(&self.boundary) {
             if let Boundary::Periodic { lo, hi } = *bound {
                 *p -= (hi - lo) * ((*p - lo) / (hi - lo)).floor();
             }
         }
-        (self.grains[i].position, self.grains[i].velocity) = (position, velocity);
+    }
+
+    /// Brings a free grain's state to now, in the image in which it is.
+    fn halt(&mut self, i: usize) {
+        (self.grains[i].position, self.grains[i].velocity) = self.state(i, self.now);
         self.since[i] = self.now;
     }
 
