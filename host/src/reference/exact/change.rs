@@ -96,7 +96,8 @@ impl<const D: usize> Exact<D> {
                 Some(self.begin(i, target, overlapped))
             }
             None => {
-                self.rest(i);
+                // Others may have foreseen a contact with this image.
+                self.halt(i);
                 self.foresee(i);
                 None
             }
