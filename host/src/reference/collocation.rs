@@ -94,9 +94,14 @@ impl Segment {
         start: &[f64],
         h: f64,
         scales: &[Scale],
+        guess: Option<Guess>,
     ) -> Option<Self> {
         let n = start.len();
-        let (mut stages, mut slopes) = (first_guess(rhs, start, h), vec![0.0; n * NODES]);
+        let mut stages = match guess {
+            Some(guess) => guess.stages(),
+            None => straight(rhs, start, h),
+        };
+        let mut slopes = vec![0.0; n * NODES];
         let mut before = f64::INFINITY;
         for _ in 0..SWEEPS {
             for (y, f) in stages.chunks_exact(n).zip(slopes.chunks_exact_mut(n)) {
@@ -148,7 +153,23 @@ impl Segment {
     }
 }
 
-fn first_guess(rhs: &impl Fn(&[f64], &mut [f64]), start: &[f64], h: f64) -> Vec<f64> {
+/// Where to begin the sweeps: on another step's polynomial, from θ = `from` on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Guess<'a> {
+    pub segment: &'a Segment,
+    pub from: f64,
+    /// Length of the new step in units of the other one.
+    pub ratio: f64,
+}
+
+impl Guess<'_> {
+    fn stages(&self) -> Vec<f64> {
+        let place = |c: &f64| self.segment.at(self.from + self.ratio * c);
+        RULE.nodes.iter().flat_map(place).collect()
+    }
+}
+
+fn straight(rhs: &impl Fn(&[f64], &mut [f64]), start: &[f64], h: f64) -> Vec<f64> {
     let mut slope = vec![0.0; start.len()];
     rhs(start, &mut slope);
     let stage = |c: f64| start.iter().zip(&slope).map(move |(y, f)| y + h * c * f);
@@ -195,7 +216,8 @@ mod tests {
     #[test]
     fn an_exponential_to_round_off() {
         let rhs = |y: &[f64], f: &mut [f64]| f[0] = -y[0];
-        let step = Segment::solve(&rhs, &[1.0], 1.0, &[Scale::Largest(0.0)]).expect("converges");
+        let step =
+            Segment::solve(&rhs, &[1.0], 1.0, &[Scale::Largest(0.0)], None).expect("converges");
         for theta in [0.0, 0.1, 0.5, 0.9, 1.0] {
             let wrong = (step.one(theta, 0) - (-theta).exp()).abs();
             assert!(wrong < 3e-16, "{theta}: {wrong:e}");

@@ -85,7 +85,7 @@ fn touching<const D: usize>(
     if (distance / reach - 1.0).abs() > 1e-9 {
         return Err(wrong("distance / (R1 + R2)", distance / reach));
     }
-    let rate = -dot(&r, &v) / distance;
+    let rate = 0.0 - dot(&r, &v) / distance;
     if rate <= 0.0 {
         return Err(wrong("approach speed", rate));
     }

@@ -3,7 +3,7 @@
 mod motion;
 mod start;
 
-use super::collocation::{NODES, Segment, node};
+use super::collocation::{Guess, NODES, Segment, node};
 use super::error::ReferenceError;
 use super::law::{ContactLaw, End};
 use super::roots::bracketed;
@@ -11,7 +11,7 @@ use super::vector::{Vector, length};
 use motion::Motion;
 
 /// Last coefficients of an accepted step, relative: the step's truncation is smaller still.
-const TOLERANCE: f64 = 3e-15;
+const TOLERANCE: f64 = 2e-14;
 
 /// The other side of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,6 +54,8 @@ impl<const D: usize> Link<D> {
 struct Active {
     segment: Segment,
     regular: Option<usize>,
+    /// In t, or in s.
+    length: f64,
     /// The step is used for 0 ≤ θ ≤ finish.
     finish: f64,
     ended: Option<usize>,
@@ -61,6 +63,17 @@ struct Active {
     until: f64,
     /// A bound of each member's speed during the step.
     speeds: Vec<f64>,
+}
+
+impl Active {
+    fn next_length(&self) -> f64 {
+        self.length * growth(self.segment.error).clamp(0.3, 2.5)
+    }
+}
+
+/// How much longer a step may be, given the error of this one.
+fn growth(error: f64) -> f64 {
+    0.8 * (TOLERANCE / error.max(1e-30)).powf(1.0 / 16.0)
 }
 
 /// Grains that hang together by contacts.
@@ -77,7 +90,8 @@ pub(super) struct Cluster<const D: usize> {
     pub elapsed: f64,
     gravity: Vector<D>,
     end: End,
-    step: Option<(Option<usize>, f64)>,
+    /// The step before, if the motion goes on smoothly from it.
+    before: Option<Active>,
     active: Option<Active>,
     /// Steps taken.
     pub steps: u64,
@@ -94,7 +108,7 @@ impl<const D: usize> Cluster<D> {
             return Ok(());
         }
         let regular = self.regular();
-        let (segment, h) = self.solve(regular)?;
+        let (segment, length) = self.solve(regular)?;
         let (finish, ended) = match self.ending(&segment, regular) {
             Some((theta, link)) => (theta, Some(link)),
             None => (1.0, None),
@@ -103,10 +117,12 @@ impl<const D: usize> Cluster<D> {
         if ended.is_none() && until <= self.elapsed * (1.0 + 4.0 * f64::EPSILON) {
             return Err(self.unresolved("its time step has become too small"));
         }
-        let growth = (TOLERANCE / segment.error.max(1e-30)).powf(1.0 / 16.0);
-        self.step = Some((regular, h * (0.9 * growth).clamp(0.3, 2.5)));
+        if !self.motion(regular).agrees(&segment.at(finish), &self.radii) {
+            return Err(self.unresolved("its centre passes through another one or a wall"));
+        }
         let speeds = self.speed_bounds(&segment, finish);
-        self.active = Some(Active { segment, regular, finish, ended, until, speeds });
+        self.before = None;
+        self.active = Some(Active { segment, regular, length, finish, ended, until, speeds });
         self.steps += 1;
         Ok(())
     }
@@ -115,21 +131,29 @@ impl<const D: usize> Cluster<D> {
         let motion = self.motion(regular);
         let (start, scales) = (motion.pack(self), motion.scales(self));
         let rhs = |y: &[f64], f: &mut [f64]| motion.slopes(y, f);
-        let (mut h, mut before) = (self.first_step(regular), f64::INFINITY);
+        let before = self.before.as_ref().filter(|b| b.regular == regular);
+        let mut h = before.map_or_else(|| self.first_step(regular), Active::next_length);
+        let known = |b: &Active| (b.segment.clone(), b.length, 1.0);
+        let mut known: Option<(Segment, f64, f64)> = before.map(known);
+        let mut error = f64::INFINITY;
         for _ in 0..80 {
-            let Some(segment) = Segment::solve(&rhs, &start, h, &scales) else {
-                (h, before) = (0.3 * h, f64::INFINITY);
+            let near = known.as_ref().filter(|k| h <= 1.5 * k.1);
+            let guess =
+                near.map(|(segment, of, from)| Guess { segment, from: *from, ratio: h / of });
+            let Some(segment) = Segment::solve(&rhs, &start, h, &scales, guess) else {
+                (h, error, known) = (0.3 * h, f64::INFINITY, None);
                 continue;
             };
-            let error = segment.error;
-            let floor = error < 1e-12 && error > 0.5 * before;
-            if error <= TOLERANCE || floor {
+            let stuck = segment.error < 1e-12 && segment.error > 0.5 * error;
+            if segment.error <= TOLERANCE || stuck {
                 return Ok((segment, h));
             }
-            h *= (0.8 * (TOLERANCE / error).powf(1.0 / 16.0)).clamp(0.1, 0.7);
-            before = error;
+            error = segment.error;
+            let shorter = h * growth(error).clamp(0.1, 0.8);
+            known = Some((segment, h, 0.0));
+            h = shorter;
         }
-        Err(self.unresolved("no step converges; its centre may pass through another one"))
+        Err(self.unresolved("no step converges"))
     }
 
     /// The first end of a contact within the step.
@@ -207,7 +231,9 @@ impl<const D: usize> Cluster<D> {
     pub fn finish(&mut self) -> Option<usize> {
         let active = self.active.take()?;
         self.settle(&active, active.finish);
-        active.ended
+        let ended = active.ended;
+        self.before = ended.is_none().then_some(active);
+        ended
     }
 
     /// Moves to an absolute time within the step and forgets what lies ahead.

@@ -147,6 +147,24 @@ impl<const D: usize> Motion<'_, D> {
         x + link.law.relaxation * second
     }
 
+    /// Whether every overlap is what the centres say: not so once two centres have met.
+    pub fn agrees(&self, y: &[f64], radii: &[f64]) -> bool {
+        (0..self.links.len()).all(|c| {
+            let link = &self.links[c];
+            let at = position::<D>(y, link.first);
+            let (reach, gap) = match link.side {
+                Side::Wall { axis, facing, at: wall } => {
+                    (radii[link.first], facing * (at[axis] - wall))
+                }
+                Side::Member { local, shift } => {
+                    let apart = minus(&minus(&at, &position(y, local)), &shift);
+                    (radii[link.first] + radii[local], length(&apart))
+                }
+            };
+            (self.compressed(y, c)[0] - (reach - gap)).abs() < 1e-6 * reach
+        })
+    }
+
     pub fn pack(&self, cluster: &Cluster<D>) -> Vec<f64> {
         let mut y = vec![cluster.elapsed];
         for (r, v) in cluster.positions.iter().zip(&cluster.velocities) {

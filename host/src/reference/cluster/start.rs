@@ -19,7 +19,7 @@ impl<const D: usize> Cluster<D> {
             elapsed: 0.0,
             gravity,
             end,
-            step: None,
+            before: None,
             active: None,
             steps: 0,
         }
@@ -40,7 +40,7 @@ impl<const D: usize> Cluster<D> {
             }
             link
         }));
-        (self.origin, self.elapsed, self.step) = (time, 0.0, None);
+        (self.origin, self.elapsed, self.before) = (time, 0.0, None);
         self.steps += other.steps;
     }
 
@@ -62,7 +62,7 @@ impl<const D: usize> Cluster<D> {
         let by_force = law.relaxation * fastest > 1.0;
         let second = if by_force { overlap + law.relaxation * rate } else { rate };
         self.links.push(Link { first, side, law, overlap, second, by_force, record });
-        self.step = None;
+        self.before = None;
     }
 
     /// The parts that still hang together; grains without a contact come alone.
@@ -107,7 +107,7 @@ impl<const D: usize> Cluster<D> {
             positions: members.iter().map(|&a| self.positions[a]).collect(),
             velocities: members.iter().map(|&a| self.velocities[a]).collect(),
             links: links.collect(),
-            step: None,
+            before: None,
             active: None,
             steps: 0,
             ..*self
@@ -126,13 +126,8 @@ impl<const D: usize> Cluster<D> {
         all.iter().filter(able).min_by(least).map(|(c, _)| *c)
     }
 
-    /// The step to try first, in t or in s.
+    /// The step to try first after a contact has begun or ended, in t or in s.
     pub(super) fn first_step(&self, regular: Option<usize>) -> f64 {
-        if let Some((of, h)) = self.step
-            && of == regular
-        {
-            return h;
-        }
         let span = self.links.iter().map(|l| self.span(l)).fold(f64::INFINITY, f64::min) / 6.0;
         let Some(m) = regular else { return span };
         let (q, u) = (self.links[m].overlap.max(0.0).sqrt(), self.links[m].rate().max(0.0));
