@@ -18,6 +18,8 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// The main job: MP13 Fig. 6 and a gas of 1,000 grains three ways, with two pictures.
+    Demo(commands::demo::Options),
     /// Run a scenario by several methods from the same start and compare what they get.
     Compare(commands::compare::Options),
     /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
@@ -39,7 +41,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
         Some(Command::Compare(options)) => commands::compare::run(&options),
         Some(Command::Collide(options)) => commands::collide::run(&options),
         Some(Command::Table(options)) => commands::table::run(&options),
-        None => anyhow::bail!("the demo is not there yet"),
+        Some(Command::Demo(options)) => commands::demo::run(&options),
+        None => commands::demo::run(&commands::demo::Options::default()),
     }
 }
 

@@ -29,8 +29,12 @@ impl Draft {
         let cannot = || format!("cannot write {}", target.display());
         let folder = folder(target);
         fs::create_dir_all(folder).with_context(cannot)?;
-        let temporary =
-            tempfile::Builder::new().prefix(".carom-").suffix(".part").tempfile_in(folder);
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".carom-").suffix(".part");
+        // Readable by others, as far as the umask allows, like any file that a program makes.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let temporary = builder.tempfile_in(folder);
         let (file, temporary) = NamedTempFile::into_parts(temporary.with_context(cannot)?);
         remember(&temporary);
         Ok(Self { file: BufWriter::new(file), temporary, target: target.to_owned() })

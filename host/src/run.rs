@@ -49,6 +49,14 @@ impl Plan {
         Self { duration, collisions: u64::MAX, ..self }
     }
 
+    /// The same samples, at most until a given instant.
+    pub const fn at_most(self, limit: Option<f64>) -> Self {
+        match limit {
+            Some(limit) if limit < self.duration => Self { duration: limit, ..self },
+            _ => self,
+        }
+    }
+
     /// The instant of a sample: multiples of the interval, and the end.
     fn instant(&self, number: u32) -> f64 {
         let time = f64::from(number) * self.sample;

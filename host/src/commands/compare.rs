@@ -2,6 +2,7 @@
 
 use crate::compare::{self, Comparison};
 use crate::output;
+use crate::plot::{self, figures};
 use crate::scenario::Scenario;
 use anyhow::{Context, Result};
 use clap::Args;
@@ -16,7 +17,7 @@ pub struct Options {
     /// Print JSON instead of a table.
     #[arg(long)]
     json: bool,
-    /// Also write comparison.csv and comparison.json into this directory.
+    /// Also write comparison.csv, .json, .png and .svg into this directory.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -44,7 +45,7 @@ pub fn run(options: &Options) -> Result<()> {
     Ok(())
 }
 
-/// Writes comparison.csv and comparison.json.
+/// Writes comparison.csv, .json, .png and .svg.
 ///
 /// # Errors
 /// A file that cannot be written.
@@ -58,13 +59,14 @@ pub fn write_files(folder: &Path, comparison: &Comparison) -> Result<()> {
         "collisions",
         "collisions_per_grain",
         "kinetic_energy",
+        "apart_median",
         "apart_rms",
         "apart_largest",
     ])?;
     for summary in &comparison.methods {
         for point in &summary.series {
-            let apart = point.apart.map(|apart| [apart.rms, apart.largest]);
-            let [rms, largest] =
+            let apart = point.apart.map(|apart| [apart.median, apart.rms, apart.largest]);
+            let [median, rms, largest] =
                 apart.map_or_else(Default::default, |a| a.map(|x| format!("{x:?}")));
             rows.write_record([
                 summary.method.file_stem().to_owned(),
@@ -72,10 +74,14 @@ pub fn write_files(folder: &Path, comparison: &Comparison) -> Result<()> {
                 point.collisions.to_string(),
                 format!("{:?}", point.collisions_per_grain),
                 format!("{:?}", point.kinetic_energy),
+                median,
                 rms,
                 largest,
             ])?;
         }
     }
-    output::write_file(&folder.join("comparison.csv"), &rows.into_inner()?)
+    output::write_file(&folder.join("comparison.csv"), &rows.into_inner()?)?;
+    let picture = figures::gas::draw(comparison);
+    plot::save(&picture, &folder.join("comparison.png"))?;
+    plot::save(&picture, &folder.join("comparison.svg"))
 }

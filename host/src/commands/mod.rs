@@ -2,4 +2,5 @@
 
 pub mod collide;
 pub mod compare;
+pub mod demo;
 pub mod table;

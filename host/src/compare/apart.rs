@@ -12,6 +12,8 @@ use serde::Serialize;
 /// at all, so grains in contact are left out.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Apart {
+    /// Half of the grains differ by less [m].
+    pub median: f64,
     /// Root mean square [m].
     pub rms: f64,
     /// Largest [m].
@@ -22,28 +24,29 @@ pub struct Apart {
 pub fn apart(start: &Start, judge: &Sample, other: &Sample) -> Option<Apart> {
     let held = touching(start, &judge.grains).into_iter().zip(touching(start, &other.grains));
     let pairs = judge.grains.iter().zip(&other.grains).zip(held);
-    let (mut count, mut sum, mut largest) = (0u32, 0.0, 0.0f64);
-    for ((a, b), _) in pairs.filter(|(_, (here, there))| !here && !there) {
-        let square: f64 = start.nearest(&a.position, &b.position).iter().map(|x| x * x).sum();
-        count += 1;
-        sum += square;
-        largest = largest.max(square);
-    }
-    (count > 0).then(|| Apart { rms: (sum / f64::from(count)).sqrt(), largest: largest.sqrt() })
+    let free = pairs.filter(|(_, (here, there))| !here && !there);
+    let mut squares: Vec<f64> = free
+        .map(|((a, b), _)| start.nearest(&a.position, &b.position).iter().map(|x| x * x).sum())
+        .collect();
+    squares.sort_by(f64::total_cmp);
+    let mean = squares.iter().sum::<f64>() / squares.len() as f64;
+    Some(Apart {
+        median: squares.get(squares.len() / 2)?.sqrt(),
+        rms: mean.sqrt(),
+        largest: squares.last()?.sqrt(),
+    })
 }
 
-/// The time series of a track, compared with the judge's.
+/// The time series of a track, compared with the judge's as long as that ran.
 pub(super) fn series(start: &Start, judge: &Track, track: &Track) -> Vec<Point> {
-    let pairs = judge.samples.iter().zip(&track.samples);
-    pairs
-        .map(|(reference, sample)| Point {
-            time: sample.time,
-            kinetic_energy: sample.kinetic_energy,
-            collisions: sample.collisions,
-            collisions_per_grain: per_grain(start, reference),
-            apart: apart(start, reference, sample),
-        })
-        .collect()
+    let point = |(number, sample): (usize, &Sample)| Point {
+        time: sample.time,
+        kinetic_energy: sample.kinetic_energy,
+        collisions: sample.collisions,
+        collisions_per_grain: per_grain(start, sample),
+        apart: judge.samples.get(number).and_then(|judge| apart(start, judge, sample)),
+    };
+    track.samples.iter().enumerate().map(point).collect()
 }
 
 /// The sample at which the table compares: the first after one collision a grain, or the last one

@@ -12,8 +12,8 @@ use crate::scenario::{MethodName, Scenario, Start};
 use anyhow::{Result, bail};
 use serde::Serialize;
 
-/// A method counts as following MD while the root mean square of the position differences stays
-/// below this part of a radius.
+/// A method counts as following MD while half of the grains are closer to where MD has them than
+/// this part of a radius.
 pub const FOLLOWING: f64 = 0.1;
 
 /// Everything that a comparison found.
@@ -29,6 +29,8 @@ pub struct Comparison {
     pub judge: MethodName,
     /// Where in the run `Summary::apart` is taken [s].
     pub compared_at: f64,
+    /// How long the judge ran [s].
+    pub judged_until: f64,
     /// One entry for each method, the judge first.
     pub methods: Vec<Summary>,
 }
@@ -44,13 +46,15 @@ pub struct Summary {
     pub kinetic_energy: f64,
     /// Seconds of computing.
     pub wall_seconds: f64,
+    /// Seconds simulated.
+    pub simulated: f64,
     /// How many times faster than force-based MD by velocity Verlet.
     pub speed_up: Option<f64>,
     /// Position differences from the judge at `Comparison::compared_at`.
     pub apart: Option<Apart>,
-    /// The last sample at which it still followed the judge; nothing if it did to the end.
+    /// The last sample at which it still followed the judge; nothing if it did to the judge's end.
     pub followed_until: Option<f64>,
-    /// Collisions a grain (of the judge) until then, or until the end.
+    /// Collisions a grain until then, or until the judge's end.
     pub followed_collisions: f64,
     /// All counters at the end.
     pub counters: Vec<(&'static str, u64)>,
@@ -67,7 +71,7 @@ pub struct Point {
     pub kinetic_energy: f64,
     /// Contacts so far.
     pub collisions: u64,
-    /// Collisions a grain so far, by the judge.
+    /// Collisions a grain so far.
     pub collisions_per_grain: f64,
     /// Position differences from the judge.
     pub apart: Option<Apart>,
@@ -84,8 +88,8 @@ pub struct Track {
     pub wall_seconds: f64,
 }
 
-/// Runs MD contact by contact as the judge, then MD by velocity Verlet, eMD and eMD*, from one
-/// start, one after the other so that the times can be compared.
+/// Runs MD by velocity Verlet, eMD, eMD* and, as the judge, MD contact by contact, all from one
+/// start and one after the other, so that the times can be compared. The judge comes first.
 ///
 /// # Errors
 /// What a method says; a law without a force.
@@ -99,21 +103,26 @@ pub fn tracks(scenario: &Scenario) -> Result<(Start, Vec<Track>)> {
         bail!("box.{axis}: MD has no hard walls; soft ones are needed for a comparison");
     }
     let start = Start::new(scenario)?;
-    let mut plan = Plan::new(scenario);
-    let mut tracks = Vec::new();
-    for name in [MethodName::Exact, MethodName::Md, MethodName::Emd, MethodName::EmdStar] {
-        let mut samples = Vec::new();
-        let wall_seconds = method::with(name, scenario, &start, |method| {
-            run::drive(method, &plan, |sample| {
-                samples.push(sample.clone());
-                Ok(())
-            })
-        })?;
-        // A number of collisions is the judge's; the others run to the same instant.
-        plan = plan.until(samples.last().map_or(0.0, |sample| sample.time));
-        tracks.push(Track { method: name, samples, wall_seconds });
-    }
-    Ok((start, tracks))
+    let plan = Plan::new(scenario);
+    let verlet = track(scenario, &start, MethodName::Md, &plan)?;
+    // A number of collisions is this one's; the others run to the same instant.
+    let plan = plan.until(verlet.samples.last().map_or(0.0, |sample| sample.time));
+    let emd = track(scenario, &start, MethodName::Emd, &plan)?;
+    let emd_star = track(scenario, &start, MethodName::EmdStar, &plan)?;
+    let exact_plan = plan.at_most(scenario.options.exact_until);
+    let exact = track(scenario, &start, MethodName::Exact, &exact_plan)?;
+    Ok((start, vec![exact, verlet, emd, emd_star]))
+}
+
+fn track(scenario: &Scenario, start: &Start, name: MethodName, plan: &Plan) -> Result<Track> {
+    let mut samples = Vec::new();
+    let keep = |sample: &Sample| {
+        samples.push(sample.clone());
+        Ok(())
+    };
+    let run = |method: &mut dyn method::Method| run::drive(method, plan, keep);
+    let wall_seconds = method::with(name, scenario, start, run)?;
+    Ok(Track { method: name, samples, wall_seconds })
 }
 
 /// Compares the tracks with the first one.
@@ -127,16 +136,18 @@ pub fn summarise(scenario: &Scenario, start: &Start, tracks: &[Track]) -> Result
     let summaries = tracks.iter().map(|track| {
         let series: Vec<Point> = apart::series(start, judge, track);
         let lost = series.iter().position(|point| {
-            point.apart.is_some_and(|apart| apart.rms > FOLLOWING * start.mean_radius())
+            point.apart.is_some_and(|apart| apart.median > FOLLOWING * start.mean_radius())
         });
-        let last = series[lost.map_or(series.len() - 1, |lost| lost.saturating_sub(1))];
+        let judged = series.iter().rposition(|point| point.apart.is_some()).unwrap_or(0);
+        let last = series[lost.map_or(judged, |lost| lost.saturating_sub(1))];
         let end = series[series.len() - 1];
         Summary {
             method: track.method,
             collisions: end.collisions,
             kinetic_energy: end.kinetic_energy,
             wall_seconds: track.wall_seconds,
-            speed_up: verlet.map(|verlet| verlet.wall_seconds / track.wall_seconds),
+            simulated: end.time,
+            speed_up: verlet.map(|verlet| speed(track) / speed(verlet)),
             apart: series.get(at).and_then(|point| point.apart),
             followed_until: lost.map(|_| last.time),
             followed_collisions: last.collisions_per_grain,
@@ -149,7 +160,13 @@ pub fn summarise(scenario: &Scenario, start: &Start, tracks: &[Track]) -> Result
         grains: start.grains.len(),
         mean_radius: start.mean_radius(),
         judge: judge.method,
+        judged_until: judge.samples.last().map_or(0.0, |sample| sample.time),
         compared_at: judge.samples.get(at).map_or(0.0, |sample| sample.time),
         methods: summaries.collect(),
     })
+}
+
+/// Simulated seconds a second.
+fn speed(track: &Track) -> f64 {
+    track.samples.last().map_or(0.0, |sample| sample.time) / track.wall_seconds
 }

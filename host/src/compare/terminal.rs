@@ -4,11 +4,12 @@ use super::{Comparison, FOLLOWING, Summary};
 use anyhow::Result;
 use std::io::Write;
 
-const HEAD: [&str; 8] = [
+const HEAD: [&str; 9] = [
     "method",
     "collisions",
     "energy [J]",
-    "apart rms [R]",
+    "apart [R]",
+    "rms [R]",
     "largest [R]",
     "follows to [s]",
     "cost [s]",
@@ -39,26 +40,26 @@ pub fn print(sink: &mut dyn Write, comparison: &Comparison) -> Result<()> {
     notes(sink, comparison)
 }
 
-fn row(comparison: &Comparison, summary: &Summary) -> [String; 8] {
+fn row(comparison: &Comparison, summary: &Summary) -> [String; 9] {
     let radius = comparison.mean_radius;
     let is_judge = summary.method == comparison.judge;
     let dash = || "-".to_owned();
-    let [rms, largest] = match summary.apart {
-        Some(apart) if !is_judge => {
-            [apart.rms, apart.largest].map(|length| format!("{:.1e}", length / radius))
-        }
-        _ => [dash(), dash()],
+    let [median, rms, largest] = match summary.apart {
+        Some(apart) if !is_judge => [apart.median, apart.rms, apart.largest]
+            .map(|length| format!("{:.1e}", length / radius)),
+        _ => [dash(), dash(), dash()],
     };
     [
         summary.method.label().to_owned(),
         summary.collisions.to_string(),
         format!("{:.6}", summary.kinetic_energy),
+        median,
         rms,
         largest,
         match summary.followed_until {
             _ if is_judge => dash(),
             Some(time) => format!("{time:.3}"),
-            None => "the end".to_owned(),
+            None => format!("{:.3}+", comparison.judged_until),
         },
         seconds(summary.wall_seconds),
         summary.speed_up.filter(|_| !is_judge).map_or_else(dash, speed_up),
@@ -74,12 +75,14 @@ fn speed_up(factor: f64) -> String {
 }
 
 fn notes(sink: &mut dyn Write, comparison: &Comparison) -> Result<()> {
+    let (judge, at) = (comparison.judge.label(), comparison.compared_at);
     writeln!(
         sink,
-        "  apart: positions against {} at t = {:.4} s, grains in contact left out; \
-         follows: rms below {FOLLOWING} R",
-        comparison.judge.label(),
-        comparison.compared_at
+        "  apart: distance to where {judge} has the grain at t = {at:.4} s, median; grains in contact left out"
+    )?;
+    writeln!(
+        sink,
+        "  follows: until half of the grains are {FOLLOWING} R apart; speed-up: over MD (velocity Verlet)"
     )?;
     for summary in &comparison.methods {
         let told = ["rotation_refused", "interrupted", "clamped", "hard_sphere"];

@@ -1,11 +1,11 @@
 //! How do letters become outlines? Reads text with simple marks and the font in `assets/`; writes one shape to a scene.
 //!
-//! Marks: `*x*` is italic, `_{…}` is lowered and `^{…}` raised, both smaller; italics work inside
+//! Marks: `*x*` is italic (`∗` sets an asterisk), `_{…}` is lowered and `^{…}` raised, both smaller; italics work inside
 //! them too.
 
 use super::scene::{Colour, Scene};
 use tiny_skia::{Path, PathBuilder, Transform};
-use ttf_parser::{Face, OutlineBuilder};
+use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 const REGULAR: &[u8] = include_bytes!("../../assets/NotoSans-Regular-subset.ttf");
 const ITALIC: &[u8] = include_bytes!("../../assets/NotoSans-Italic-subset.ttf");
@@ -76,12 +76,22 @@ struct Pen {
     italic: bool,
     /// -1 lowered, 0 on the line, 1 raised.
     level: i8,
+    last: Option<Set>,
+}
+
+/// A letter as it was set.
+#[derive(Clone, Copy)]
+struct Set {
+    glyph: GlyphId,
+    x: f64,
+    y: f64,
+    scale: f64,
 }
 
 fn outline(text: &str, size: f64) -> (Option<Path>, f64) {
     let faces = [REGULAR, ITALIC].map(|font| Face::parse(font, 0).ok());
     let mut builder = PathBuilder::new();
-    let mut pen = Pen { x: 0.0, size, italic: false, level: 0 };
+    let mut pen = Pen { x: 0.0, size, italic: false, level: 0, last: None };
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
         match letter {
@@ -102,8 +112,15 @@ fn outline(text: &str, size: f64) -> (Option<Path>, f64) {
 }
 
 fn set(builder: &mut PathBuilder, face: &Face<'_>, pen: &mut Pen, letter: char) {
-    // The font has no minus sign; its en dash is one.
-    let letter = if letter == '−' { '–' } else { letter };
+    // The font has no minus sign; its en dash is one. An asterisk itself is a mark here.
+    let letter = match letter {
+        '−' => '–',
+        '∗' => '*',
+        other => other,
+    };
+    if let ('\u{300}'..='\u{36f}', Some(below)) = (letter, pen.last) {
+        return accent(builder, face, pen, below, letter);
+    }
     let (size, shift) = match pen.level {
         0 => (pen.size, 0.0),
         level => {
@@ -114,7 +131,24 @@ fn set(builder: &mut PathBuilder, face: &Face<'_>, pen: &mut Pen, letter: char) 
     let Some(glyph) = face.glyph_index(letter) else { return };
     let mut outline = Outline { builder, x: pen.x, y: shift, scale };
     let _ = face.outline_glyph(glyph, &mut outline);
+    pen.last = Some(Set { glyph, x: pen.x, y: shift, scale });
     pen.x += scale * f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
+}
+
+/// Sets an accent over the middle of the letter before it.
+fn accent(builder: &mut PathBuilder, face: &Face<'_>, pen: &Pen, below: Set, accent: char) {
+    let glyph = face.glyph_index(accent);
+    let boxes = glyph.map(|glyph| (face.glyph_bounding_box(glyph), glyph));
+    let letter = face.glyph_bounding_box(below.glyph);
+    let (Some((Some(mark), glyph)), Some(letter)) = (boxes, letter) else { return };
+    let middle = |b: ttf_parser::Rect| (f64::from(b.x_min) + f64::from(b.x_max)) / 2.0;
+    // Italic letters lean: what stands above them is further to the right.
+    let lean = if pen.italic { 0.12 * f64::from(letter.y_max) } else { 0.0 };
+    let gap = 0.09 * f64::from(face.units_per_em());
+    let up = f64::from(letter.y_max) - f64::from(mark.y_min) + gap;
+    let x = below.x + below.scale * (middle(letter) + lean - middle(mark));
+    let mut outline = Outline { builder, x, y: below.y - below.scale * up, scale: below.scale };
+    let _ = face.outline_glyph(glyph, &mut outline);
 }
 
 struct Outline<'a> {

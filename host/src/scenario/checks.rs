@@ -12,6 +12,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<()> {
     scenario.gravity.iter().try_for_each(|g| finite("gravity", *g))?;
     check_end(scenario)?;
     positive("sample", scenario.sample)?;
+    scenario.options.exact_until.map_or(Ok(()), |t| positive("options.exact_until", t))?;
     law(&scenario.law)?;
     sides(&scenario.sides, d)?;
     methods(scenario)?;

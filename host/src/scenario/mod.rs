@@ -174,7 +174,7 @@ pub enum LawSpec {
 
 /// How the event-driven methods treat what is out of the ordinary.
 #[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields)]
 pub struct Options {
     /// What to do with a collision outside the table's domain.
     pub outside: OutsideSpec,
@@ -186,6 +186,8 @@ pub struct Options {
     pub table: crate::tables::Size,
     /// Write the event-driven methods' events to a CSV file.
     pub events: bool,
+    /// How long `carom compare` runs the exact MD [s]; positions are compared until then.
+    pub exact_until: Option<f64>,
 }
 
 impl Default for Options {
@@ -196,6 +198,7 @@ impl Default for Options {
             matrix: MatrixSpec::Table,
             table: crate::tables::Size::Standard,
             events: false,
+            exact_until: None,
         }
     }
 }

@@ -54,7 +54,7 @@ pub fn coefficients(law: Law) -> Scene {
             (Space::viscoelastic(), [4.0, 8.0, 12.0, 16.0, 20.0], name)
         }
     };
-    let mut scene = Scene::new(LEFT + 4.0 * (WIDE + GAP) + 8.0, TOP + 5.0 * (TALL + GAP) + 36.0);
+    let mut scene = Scene::new(LEFT + 4.0 * (WIDE + GAP) + 8.0, TOP + 5.0 * (TALL + GAP) + 30.0);
     for (column, coefficient) in COEFFICIENTS.iter().enumerate() {
         head(&mut scene, column, coefficient);
     }
@@ -75,7 +75,7 @@ pub fn coefficients(law: Law) -> Scene {
         let text = format!("{name} = {damping}").replace('-', "−");
         scene.text(at, &text, Style::new(SMALL, WHITE, Align::Left));
     }
-    let middle = [LEFT + 2.0 * (WIDE + GAP) - GAP / 2.0, scene.height - 8.0];
+    let middle = [LEFT + 2.0 * (WIDE + GAP) - GAP / 2.0, scene.height - 10.0];
     let style = Style::new(NORMAL, INK, Align::Middle);
     scene.text(middle, "ln *c*_{φ}/*c*_{φ}^{min}", style);
     let middle = [14.0, TOP + 2.5 * (TALL + GAP)];
@@ -101,7 +101,7 @@ struct Coefficient {
 const COEFFICIENTS: [Coefficient; 4] = [
     Coefficient { name: "*ε*_{φ} [rad]", low: 0.0, high: PI, value: |s| s.angle },
     Coefficient { name: "*ε*_{*r\u{307}*}", low: -1.0, high: 0.0, value: |s| -s.speed },
-    Coefficient { name: "*ε*_{*r*}", low: 0.4, high: 1.0, value: |s| s.separation },
+    Coefficient { name: "*ε*_{*r*}", low: 0.0, high: 1.0, value: |s| s.separation },
     Coefficient { name: "*ε*_{*t*}", low: 0.0, high: 3.25, value: |s| s.tau },
 ];
 
