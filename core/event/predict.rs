@@ -3,15 +3,18 @@
 use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
-use crate::matter::{Body, Boundary, Partner, Plane};
+use crate::matter::{Body, Boundary, Partner, Plane, flight};
 use crate::number::Scalar;
 
 /// The earliest event of this grain.
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
     let me = scene.present(grain);
     let mut slot = release(&me);
-    for k in (0..scene.bodies.len()).filter(|&k| k != grain) {
-        if let Some(span) = pair(scene, grain, &me, k) {
+    for (k, other) in scene.bodies.iter().enumerate() {
+        if k == grain || scene.bound(grain, k) {
+            continue;
+        }
+        if let Some(span) = pair(scene, &me, other) {
             earlier(&mut slot, meeting(scene, span, Partner::grain(k)));
         }
     }
@@ -34,20 +37,18 @@ pub(crate) fn is_stale<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, slot:
 
 /// When the two touch: BSFP14's rule. Uniform gravity leaves their relative motion straight.
 ///
-/// A pair in contact has one velocity copied twice; it is skipped so that rounding of two clocks
-/// cannot make it meet itself.
+/// A pair in contact has one velocity copied twice; it is skipped by the caller so that rounding of
+/// two clocks cannot make it meet itself.
 fn pair<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
-    grain: usize,
     me: &Body<S, D>,
-    k: usize,
+    other: &Body<S, D>,
 ) -> Option<S> {
-    if scene.bound(grain, k) {
-        return None;
-    }
-    let other = scene.present(k);
-    let velocity = me.velocity - other.velocity;
-    root::spheres(&scene.separation(me, &other), &velocity, me.radius + other.radius)
+    let span = scene.now - other.clock;
+    let position = flight::position_after(other, &scene.gravity, span);
+    let velocity = me.velocity - flight::velocity_after(other, &scene.gravity, span);
+    let separation = scene.boundary.nearest(me.position - position);
+    root::spheres(&separation, &velocity, me.radius + other.radius)
 }
 
 /// When the grain touches a plane. The plane it is in contact with does not count.

@@ -105,17 +105,23 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
     /// Whether `grain` can stand at `position`: it overlaps nothing but `except` more than it does now.
     pub fn is_free(&self, grain: usize, position: Vector<S, D>, except: Partner) -> bool {
         let me = self.present(grain);
+        let mut others = self.bodies.iter().enumerate();
         self.free_of_planes(&me, position, except)
-            && (0..self.bodies.len())
-                .filter(|&k| k != grain && Partner::grain(k) != except)
-                .all(|k| self.free_of(&me, position, &self.present(k)))
+            && others.all(|(k, other)| {
+                k == grain || Partner::grain(k) == except || self.free_of(&me, position, other)
+            })
     }
 
+    /// Whether `me` at `position` keeps clear of another body, wherever that is now.
     fn free_of(&self, me: &Body<S, D>, position: Vector<S, D>, other: &Body<S, D>) -> bool {
+        let there = flight::position_after(other, &self.gravity, self.now - other.clock);
         let reach = me.radius + other.radius;
-        let then = self.boundary.nearest(position - other.position);
-        let before = self.separation(me, other);
-        then.dot(&then) >= reach * reach || then.dot(&then) >= before.dot(&before)
+        let then = self.boundary.nearest(position - there);
+        if then.dot(&then) >= reach * reach {
+            return true;
+        }
+        let before = self.boundary.nearest(me.position - there);
+        then.dot(&then) >= before.dot(&before)
     }
 
     fn free_of_planes(&self, me: &Body<S, D>, position: Vector<S, D>, except: Partner) -> bool {

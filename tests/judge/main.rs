@@ -1,0 +1,5 @@
+//! Is the event-driven run the force-based one? The engine against the reference MD and the papers.
+
+mod divergence;
+mod fig6;
+mod haff;
