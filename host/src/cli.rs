@@ -20,6 +20,8 @@ struct Arguments {
 enum Command {
     /// The main job: MP13 Fig. 6 and a gas of 1,000 grains three ways, with two pictures.
     Demo(commands::demo::Options),
+    /// Run a scenario by the methods it names; write time series, trajectories and a summary.
+    Run(commands::run::Options),
     /// Run a scenario by several methods from the same start and compare what they get.
     Compare(commands::compare::Options),
     /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
@@ -41,6 +43,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
         Some(Command::Compare(options)) => commands::compare::run(&options),
         Some(Command::Collide(options)) => commands::collide::run(&options),
         Some(Command::Table(options)) => commands::table::run(&options),
+        Some(Command::Run(options)) => commands::run::run(&options),
         Some(Command::Demo(options)) => commands::demo::run(&options),
         None => commands::demo::run(&commands::demo::Options::default()),
     }

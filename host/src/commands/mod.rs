@@ -3,4 +3,5 @@
 pub mod collide;
 pub mod compare;
 pub mod demo;
+pub mod run;
 pub mod table;

@@ -335,6 +335,16 @@ impl Scenario {
         }
     }
 
+    /// The same scenario, run by this method only.
+    ///
+    /// # Errors
+    /// When the law or the box does not allow it.
+    pub fn with_method(self, method: MethodName) -> Result<Self> {
+        let scenario = Self { methods: vec![method], ..self };
+        checks::check(&scenario)?;
+        Ok(scenario)
+    }
+
     /// The first axis with hard walls, which no force-based method knows.
     pub fn hard_walls(&self) -> Option<&'static str> {
         let sides = [("x", self.sides.x), ("y", self.sides.y), ("z", self.sides.z)];

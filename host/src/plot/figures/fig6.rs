@@ -38,14 +38,14 @@ pub fn draw(scenario: &Scenario) -> Result<Scene> {
         let y = if number == 0 { y } else { y.unlabelled() };
         let panel = Panel { place, x: Axis::linear(-0.25, 0.5, 8), y };
         discs(&mut scene, &panel, &md, &start);
-        show(&mut scene, &panel, &md, colour::MD, -1.0);
-        show(&mut scene, &panel, &paths(name)?, colour, 1.0);
+        show(&mut scene, &panel, &md, Stroke::solid(colour::MD, 3.0), [1.0, -1.0]);
+        show(&mut scene, &panel, &paths(name)?, Stroke::solid(colour, 1.4), [1.0, 1.0]);
         panel.frame(&mut scene);
         panel.labels(&mut scene, "*x* [m]", if number == 0 { "*y* [m]" } else { "" }, 38.0);
         let title = format!("{} and {}", MethodName::Md.label(), name.label().replace('*', "∗"));
         panel.title(&mut scene, &title);
         let lines = [
-            ("MD", Stroke::solid(colour::MD, 1.4)),
+            ("MD", Stroke::solid(colour::MD, 3.0)),
             (if number == 0 { "eMD" } else { "eMD∗" }, Stroke::solid(colour, 1.4)),
         ];
         panel.legend(&mut scene, [place.x + 14.0, place.y + 18.0], &lines);
@@ -105,10 +105,11 @@ fn discs(scene: &mut Scene, panel: &Panel, md: &Paths, start: &Start) {
     }
 }
 
-/// A path with its dots; numbers stand on one side of it.
-fn show(scene: &mut Scene, panel: &Panel, paths: &Paths, colour: Colour, side: f64) {
-    for i in 0..2 {
-        panel.line(scene, &paths.lines[i], Stroke::solid(colour, 1.4));
+/// Paths with their dots; `sides` says on which side of each path the numbers stand.
+fn show(scene: &mut Scene, panel: &Panel, paths: &Paths, pen: Stroke, sides: [f64; 2]) {
+    let colour = pen.colour;
+    for (i, side) in sides.into_iter().enumerate() {
+        panel.line(scene, &paths.lines[i], pen);
         let dots = &paths.dots[i];
         for (number, dot) in dots.iter().enumerate() {
             let (next, last) = (dots.get(number + 1).unwrap_or(dot), number.saturating_sub(1));
@@ -117,8 +118,8 @@ fn show(scene: &mut Scene, panel: &Panel, paths: &Paths, colour: Colour, side: f
         }
         if let Some(before) = paths.before {
             label(scene, panel, before[i], [1.0, 0.0], 0, colour, side);
-            let pen = Stroke::dashed(colour.with_opacity(0.6), 0.9, 1.5, 2.5);
-            panel.line(scene, &[before[i], dots[0]], pen);
+            let jump = Stroke::dashed(colour.with_opacity(0.6), 0.9, 1.5, 2.5);
+            panel.line(scene, &[before[i], dots[0]], jump);
         }
     }
 }

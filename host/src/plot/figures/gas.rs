@@ -23,7 +23,7 @@ const TALL: f64 = 240.0;
 /// Names, costs and lines; the asterisk would be read as a mark for italics.
 fn name(summary: &Summary) -> &'static str {
     match summary.method {
-        MethodName::Md => "MD",
+        MethodName::Md => "MD (Verlet)",
         MethodName::Exact => "MD, exact",
         MethodName::Emd => "eMD",
         MethodName::EmdStar => "eMD∗",
@@ -85,7 +85,7 @@ fn error(scene: &mut Scene, comparison: &Comparison) {
     panel.line(scene, &[[0.0, 1.0], [end, 1.0]], radius);
     let [x, y] = panel.at(0.0, 1.0);
     let small = Style::new(8.5, colour::INK, Align::Left);
-    scene.text([x + 6.0, y - 4.0], "one radius", small);
+    scene.text([x + 0.52 * place.width, y + 10.0], "one radius", small);
     let mut legend = Vec::new();
     for summary in comparison.methods.iter().filter(|s| s.method != comparison.judge) {
         let pen = Stroke::solid(tone(summary.method), 1.6);
@@ -97,7 +97,7 @@ fn error(scene: &mut Scene, comparison: &Comparison) {
     panel.frame(scene);
     panel.labels(scene, "*t* [s]", "distance from exact MD [*R*]", 38.0);
     panel.title(scene, "positions: median (solid), largest (dotted)");
-    panel.legend(scene, [place.x + 210.0, place.y + TALL - 48.0], &legend);
+    panel.legend(scene, [place.x + 190.0, place.y + TALL - 48.0], &legend);
 }
 
 /// A line in the logarithmic panel; zeros are left out.

@@ -1,0 +1,138 @@
+//! `carom run`: what do the grains do? Reads a scenario; writes time series, trajectories and a summary.
+
+use crate::method;
+use crate::output::{self, Draft};
+use crate::report::{self, Series};
+use crate::run::{self, Plan};
+use crate::scenario::{MethodName, Scenario, Start};
+use anyhow::{Context, Result};
+use clap::Args;
+use serde::Serialize;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// The options of `carom run`.
+#[derive(Args, Debug)]
+pub struct Options {
+    /// The scenario (TOML); three are explained in host/scenarios.
+    scenario: PathBuf,
+    /// Where to write; a name each for every method.
+    #[arg(long, value_name = "DIR", default_value = "carom-out")]
+    out: PathBuf,
+    /// Print the summary as JSON instead of a table.
+    #[arg(long)]
+    json: bool,
+    /// Run this method only, whatever the scenario says.
+    #[arg(long, value_enum)]
+    method: Option<MethodName>,
+}
+
+/// What a run came to.
+#[derive(Debug, Serialize)]
+struct Summary {
+    title: String,
+    grains: usize,
+    runs: Vec<Run>,
+}
+
+#[derive(Debug, Serialize)]
+struct Run {
+    method: MethodName,
+    time: f64,
+    collisions: u64,
+    kinetic_energy: f64,
+    wall_seconds: f64,
+    counters: Vec<(&'static str, u64)>,
+    files: Vec<PathBuf>,
+}
+
+/// Runs every method of the scenario.
+///
+/// # Errors
+/// A scenario that cannot be read or run, a file that cannot be written.
+pub fn run(options: &Options) -> Result<()> {
+    let mut scenario = Scenario::read(&options.scenario)?;
+    if let Some(method) = options.method {
+        scenario = scenario.with_method(method).with_context(|| named(options))?;
+    }
+    let start = Start::new(&scenario).with_context(|| named(options))?;
+    let methods = scenario.chosen_methods();
+    let one = |name: &MethodName| one(*name, &scenario, &start, &options.out);
+    let runs = methods.iter().map(one).collect::<Result<Vec<Run>>>();
+    let runs = runs.with_context(|| named(options))?;
+    let summary = Summary { title: scenario.title.clone(), grains: start.grains.len(), runs };
+    let json = serde_json::to_vec_pretty(&summary)?;
+    output::write_file(&options.out.join("summary.json"), &json)?;
+    print(options.json.then_some(json.as_slice()), &summary, &options.out)
+}
+
+fn named(options: &Options) -> String {
+    options.scenario.display().to_string()
+}
+
+fn one(name: MethodName, scenario: &Scenario, start: &Start, folder: &Path) -> Result<Run> {
+    let stem = name.file_stem();
+    let mut files = vec![folder.join(format!("{stem}.csv")), folder.join(format!("{stem}.xyz"))];
+    let mut series = Series::new(&files[0])?;
+    let mut frames = Draft::new(&files[1])?;
+    let mut events = None;
+    if scenario.options.events && matches!(name, MethodName::Emd | MethodName::EmdStar) {
+        files.push(folder.join(format!("{stem}-events.csv")));
+        let mut rows = csv::Writer::from_writer(Draft::new(&files[2])?);
+        report::events_head(&mut rows)?;
+        events = Some(rows);
+    }
+    let mut last = None;
+    let wall_seconds = method::with(name, scenario, start, |method| {
+        run::drive(method, &Plan::new(scenario), |sample| {
+            series.add(sample)?;
+            report::write_frame(&mut frames, start, sample)?;
+            if let Some(rows) = &mut events {
+                report::write_events(rows, &sample.events)?;
+            }
+            last = Some((
+                sample.time,
+                sample.collisions,
+                sample.kinetic_energy,
+                sample.counters.clone(),
+            ));
+            Ok(())
+        })
+    })?;
+    series.finish()?;
+    frames.finish()?;
+    if let Some(rows) = events {
+        rows.into_inner().map_err(|error| error.into_error())?.finish()?;
+    }
+    let (time, collisions, kinetic_energy, counters) = last.context("no sample was taken")?;
+    Ok(Run { method: name, time, collisions, kinetic_energy, wall_seconds, counters, files })
+}
+
+fn print(json: Option<&[u8]>, summary: &Summary, folder: &Path) -> Result<()> {
+    let mut sink = std::io::stdout().lock();
+    if let Some(json) = json {
+        sink.write_all(json)?;
+        writeln!(sink)?;
+        return Ok(());
+    }
+    writeln!(sink, "{} ({} grains)", summary.title, summary.grains)?;
+    for run in &summary.runs {
+        writeln!(
+            sink,
+            "  {:<9}  t = {} s  {} collisions  {:.6} J  {:.3} s of computing",
+            run.method.label(),
+            run.time,
+            run.collisions,
+            run.kinetic_energy,
+            run.wall_seconds
+        )?;
+        let counters =
+            run.counters.iter().map(|(name, count)| format!("{} {count}", name.replace('_', " ")));
+        writeln!(sink, "             {}", counters.collect::<Vec<_>>().join(", "))?;
+        for file in &run.files {
+            writeln!(sink, "             {}", file.display())?;
+        }
+    }
+    writeln!(sink, "  summary: {}", folder.join("summary.json").display())?;
+    Ok(())
+}
