@@ -86,9 +86,9 @@ impl<const D: usize> Neighbours<D> {
         let cutoff = 2.0 * radii.iter().fold(0.0_f64, |m, r| m.max(*r)) + skin;
         self.grid.fill(positions, boundary, cutoff);
         self.pairs.clear();
-        for i in 0..positions.len() {
+        for (i, position) in positions.iter().enumerate() {
             let from = self.pairs.len();
-            self.collect(i, &positions[i], radii, cutoff, skin);
+            self.collect(i, position, radii, cutoff, skin);
             self.pairs[from..].sort_unstable_by_key(|p| p.other);
         }
         self.near_walls(positions, radii, boundary, skin);
@@ -144,11 +144,11 @@ impl<const D: usize> Grid<D> {
         }
         self.sorted.resize(positions.len(), 0);
         self.at.resize(positions.len(), [0.0; D]);
-        for i in 0..positions.len() {
+        for (i, position) in positions.iter().enumerate() {
             let cell = self.cell(&self.place_of[i]);
             let place = &mut self.begin[cell + 1];
             self.sorted[*place as usize] = i as u32;
-            self.at[*place as usize] = positions[i];
+            self.at[*place as usize] = *position;
             *place += 1;
         }
     }

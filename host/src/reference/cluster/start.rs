@@ -136,8 +136,14 @@ impl<const D: usize> Cluster<D> {
 
     fn span(&self, link: &Link<D>) -> f64 {
         let typical = link.law.speed_scale(link.overlap).max(link.rate().abs());
-        let still = (self.gravity.iter().fold(0.0, |m: f64, g| m.max(g.abs())) * 1e-3).max(1e-9);
-        link.law.contact_time(typical.max(still))
+        link.law.contact_time(typical.max(1e-6 * self.slow()))
+    }
+
+    /// The speed of a fall through the largest radius: nothing slower than a small part of it
+    /// matters where gravity acts.
+    fn slow(&self) -> f64 {
+        let largest = self.radii.iter().fold(0.0, |m: f64, r| m.max(*r));
+        (length(&self.gravity) * largest).sqrt()
     }
 
     /// The largest relative speed over a contact, or the speed its overlap stands for.
@@ -151,6 +157,6 @@ impl<const D: usize> Cluster<D> {
             };
             length(&v).max(0.1 * link.law.speed_scale(link.overlap))
         };
-        self.links.iter().map(of).fold(1e-12, f64::max)
+        self.links.iter().map(of).fold(1e-3 * self.slow(), f64::max).max(f64::MIN_POSITIVE)
     }
 }

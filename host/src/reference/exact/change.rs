@@ -3,8 +3,9 @@
 use super::super::cluster::{Cluster, Side};
 use super::super::law::End;
 use super::super::system::Boundary;
-use super::super::vector::{Vector, dot, length, minus};
+use super::super::vector::{dot, length, minus};
 use super::flight::Target;
+use super::images::Shifts;
 use super::{ContactRecord, Event, EventKind, Exact, Forecast, Partner};
 
 impl<const D: usize> Exact<D> {
@@ -27,11 +28,8 @@ impl<const D: usize> Exact<D> {
         for j in i + 1..self.grains.len() {
             let d = minus(&self.position(i), &self.position(j));
             let reach = self.grains[i].radius + self.grains[j].radius;
-            found.extend(
-                self.images_near(&d, reach)
-                    .into_iter()
-                    .map(|shift| Target::Grain { other: j, shift }),
-            );
+            let images = Shifts::near(&d, reach, self.periods());
+            found.extend(images.map(|shift| Target::Grain { other: j, shift }));
         }
         found.retain(|target| self.approach(i, *target)[0] > 0.0);
         found
@@ -249,14 +247,5 @@ impl<const D: usize> Exact<D> {
         self.since[i] = self.now;
         self.rest(i);
         i
-    }
-
-    pub(super) fn images_near(&self, d: &Vector<D>, reach: f64) -> Vec<Vector<D>> {
-        let period: Vector<D> = std::array::from_fn(|k| self.period(k));
-        let range = std::array::from_fn(|k| {
-            let (low, high) = super::flight::images(d[k], [0.0, 0.0], reach, period[k]);
-            (-high, -low)
-        });
-        super::flight::shifts(range, period)
     }
 }

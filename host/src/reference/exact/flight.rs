@@ -5,6 +5,7 @@ use super::super::roots::quadratic;
 use super::super::system::Boundary;
 use super::super::vector::{Vector, dot, length, minus};
 use super::Exact;
+use super::images::Shifts;
 
 /// What is met.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,34 +33,6 @@ impl<const D: usize> Forecast<D> {
     }
 }
 
-/// Images k of one axis in which |d + v t + k L| ≤ reach may happen for 0 ≤ t ≤ span.
-pub(super) fn images(d: f64, travel: [f64; 2], reach: f64, period: f64) -> (i64, i64) {
-    if period == 0.0 {
-        return (0, 0);
-    }
-    let low = (-reach - d - travel[1]) / period;
-    let high = (reach - d - travel[0]) / period;
-    (low.ceil() as i64, high.floor() as i64)
-}
-
-/// All shifts, one per combination of images.
-pub(super) fn shifts<const D: usize>(range: [(i64, i64); D], period: Vector<D>) -> Vec<Vector<D>> {
-    let mut all = vec![[0.0; D]];
-    for axis in 0..D {
-        let (low, high) = range[axis];
-        let each = |s: &Vector<D>| {
-            let s = *s;
-            (low..=high).map(move |k| {
-                let mut s = s;
-                s[axis] = k as f64 * period[axis];
-                s
-            })
-        };
-        all = all.iter().flat_map(each).collect();
-    }
-    all
-}
-
 impl<const D: usize> Exact<D> {
     /// Works out what grain i meets next, as long as it and the others fly freely.
     pub(super) fn foresee(&mut self, i: usize) {
@@ -79,23 +52,14 @@ impl<const D: usize> Exact<D> {
         let ((ri, vi), (rj, vj)) = (self.state(i, self.now), self.state(j, self.now));
         let (d, v) = (minus(&ri, &rj), minus(&vi, &vj));
         let reach = self.grains[i].radius + self.grains[j].radius;
-        let period: Vector<D> = std::array::from_fn(|k| self.period(k));
+        let (period, speed) = (self.periods(), length(&v));
         let shortest = period.iter().filter(|p| **p > 0.0).fold(f64::INFINITY, |m, p| m.min(*p));
-        let span = match shortest.is_finite() {
-            true => shortest / length(&v),
-            false => f64::INFINITY,
-        };
-        if span.is_finite() {
-            next.sooner(self.now + span, None);
+        let mut travel = [0.0; D];
+        if shortest.is_finite() && speed > 0.0 {
+            next.sooner(self.now + shortest / speed, None);
+            travel = v.map(|v| v / speed * shortest);
         }
-        let travel = |k: usize| if v[k] == 0.0 { 0.0 } else { v[k] * span };
-        let range = std::array::from_fn(|k| {
-            let far = travel(k);
-            // Images are counted for r_i − (r_j + shift).
-            let (low, high) = images(d[k], [far.min(0.0), far.max(0.0)], reach, period[k]);
-            (-high, -low)
-        });
-        for shift in shifts(range, period) {
+        for shift in Shifts::new(&d, &travel, reach, period) {
             if let Some(dt) = meeting(&minus(&d, &shift), &v, reach) {
                 next.sooner(self.now + dt, Some(Target::Grain { other: j, shift }));
             }

@@ -2,6 +2,7 @@
 
 mod change;
 mod flight;
+mod images;
 mod watch;
 
 use super::cluster::Cluster;
@@ -265,7 +266,7 @@ impl<const D: usize> Exact<D> {
         (plus(&fallen, dt, &grain.velocity), plus(&grain.velocity, dt, &self.gravity))
     }
 
-    fn period(&self, axis: usize) -> f64 {
-        self.boundary[axis].period()
+    fn periods(&self) -> Vector<D> {
+        self.boundary.each_ref().map(Boundary::period)
     }
 }

@@ -3,8 +3,9 @@
 use super::super::cluster::Side;
 use super::super::law::End;
 use super::super::roots::{bracketed, largest};
-use super::super::vector::{length, minus};
+use super::super::vector::{Vector, length, minus};
 use super::flight::Target;
+use super::images::Shifts;
 use super::{Event, Exact};
 
 /// Samples of a window in which two grains are close.
@@ -19,6 +20,12 @@ struct Hit<const D: usize> {
     overlapped: bool,
 }
 
+/// Where a grain is at the beginning of a window, and how far its surface may come within it.
+struct Seen<const D: usize> {
+    position: Vector<D>,
+    range: f64,
+}
+
 impl<const D: usize> Exact<D> {
     /// Looks for contacts that begin before `until` and involve a grain that is in contact; the
     /// first of them is begun.
@@ -27,13 +34,12 @@ impl<const D: usize> Exact<D> {
             return None;
         }
         let mut first: Option<Hit<D>> = None;
-        for cluster in &self.clusters {
-            for &grain in &cluster.grains {
-                for target in self.reachable(grain, until) {
-                    let hit = self.search(grain, target, until);
-                    let sooner = |h: &Hit<D>| first.is_none_or(|f| h.time < f.time);
-                    first = hit.filter(sooner).or(first);
-                }
+        let seen: Vec<Seen<D>> = (0..self.grains.len()).map(|i| self.see(i, until)).collect();
+        for &grain in self.clusters.iter().flat_map(|cluster| &cluster.grains) {
+            for target in self.reachable(grain, &seen) {
+                let hit = self.search(grain, target, until);
+                let sooner = |h: &Hit<D>| first.is_none_or(|f| h.time < f.time);
+                first = hit.filter(sooner).or(first);
             }
         }
         let hit = first?;
@@ -41,28 +47,28 @@ impl<const D: usize> Exact<D> {
         Some(self.begin(hit.grain, hit.target, hit.overlapped))
     }
 
-    /// What a grain in contact may come to touch before `until`, beyond what it touches.
-    fn reachable(&self, i: usize, until: f64) -> Vec<Target<D>> {
-        let (span, fast) = (until - self.now, self.speed_bound(i, until));
+    fn see(&self, i: usize, until: f64) -> Seen<D> {
+        let travel = (until - self.now) * self.speed_bound(i, until);
+        Seen { position: self.position(i), range: self.grains[i].radius + travel }
+    }
+
+    /// What a grain in contact may come to touch in the window, beyond what it touches.
+    fn reachable(&self, i: usize, seen: &[Seen<D>]) -> Vec<Target<D>> {
+        let (me, period) = (&seen[i], self.periods());
         let mut found = self.walls();
-        let r = self.position(i);
-        for j in 0..self.grains.len() {
-            if j == i {
+        found.retain(|target| self.approach(i, *target)[0] + me.range >= self.grains[i].radius);
+        for (j, other) in seen.iter().enumerate() {
+            let d = minus(&me.position, &other.position);
+            let reach = me.range + other.range;
+            if j == i || surely_apart(&d, reach, &period) {
                 continue;
             }
-            let d = minus(&r, &self.position(j));
-            let reach = self.grains[i].radius + self.grains[j].radius;
-            let reach = reach + span * (fast + self.speed_bound(j, until));
-            for shift in self.images_near(&d, reach) {
+            for shift in Shifts::near(&d, reach, period) {
                 if length(&minus(&d, &shift)) <= reach {
                     found.push(Target::Grain { other: j, shift });
                 }
             }
         }
-        found.retain(|target| {
-            self.approach(i, *target)[0] + span * fast >= 0.0
-                || matches!(target, Target::Grain { .. })
-        });
         found.retain(|target| !self.linked(i, *target));
         found
     }
@@ -130,6 +136,14 @@ impl<const D: usize> Exact<D> {
             End::Overlap => u,
         }
     }
+}
+
+/// A quick no for most pairs: some axis keeps them apart, in the nearest image too.
+fn surely_apart<const D: usize>(d: &Vector<D>, reach: f64, period: &Vector<D>) -> bool {
+    d.iter().zip(period).any(|(d, period)| {
+        let d = d.abs();
+        d > reach && (*period == 0.0 || (d < *period - reach))
+    })
 }
 
 fn near<const D: usize>(a: &[f64; D], b: &[f64; D]) -> bool {
