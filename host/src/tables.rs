@@ -19,6 +19,20 @@ pub enum Size {
     Wide,
 }
 
+impl Size {
+    /// All of them, smallest first.
+    pub const ALL: [Self; 3] = [Self::Compact, Self::Standard, Self::Wide];
+
+    /// As it is written on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Compact => "compact",
+            Self::Standard => "standard",
+            Self::Wide => "wide",
+        }
+    }
+}
+
 /// One table a law.
 #[derive(Clone, Copy, Debug)]
 pub struct Tables {
@@ -37,7 +51,7 @@ impl Tables {
                 linear: &embedded::standard::LINEAR_DASHPOT,
                 viscoelastic: &embedded::standard::VISCOELASTIC,
             }),
-            _ => bail!("no {size:?} table for {end:?} yet"),
+            _ => bail!("no {} table for this end of contact", size.name()),
         }
     }
 

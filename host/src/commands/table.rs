@@ -2,9 +2,12 @@
 
 use crate::plot::figures::matrix;
 use crate::plot::{self, Scene};
+use crate::tables::{Size, Tables};
 use anyhow::Result;
-use carom_tables::Law;
+use carom_tables::{Certificate, End, Law, Scaled};
 use clap::Args;
+use serde::Serialize;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// The options of `carom table`.
@@ -26,6 +29,15 @@ pub struct Options {
 /// # Errors
 /// A file that cannot be written.
 pub fn run(options: &Options) -> Result<()> {
+    let mut sink = BufWriter::new(std::io::stdout().lock());
+    let certified = certified()?;
+    if options.json {
+        serde_json::to_writer_pretty(&mut sink, &certified)?;
+        writeln!(sink)?;
+    } else {
+        print(&mut sink, &certified)?;
+    }
+    sink.flush()?;
     if let Some(file) = &options.plot {
         plot::ending(file)?;
         match options.figure {
@@ -38,6 +50,131 @@ pub fn run(options: &Options) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// One embedded table's certificate; the numbers are those that the generator measured.
+#[derive(Debug, Serialize)]
+struct Certified {
+    table: &'static str,
+    law: &'static str,
+    end: &'static str,
+    bytes: usize,
+    domain: Reach,
+    /// Largest error at any of the points.
+    largest: Errors,
+    /// The error that 99.9 % of the points stay below.
+    usual: Errors,
+    points: usize,
+    digest: String,
+    citation: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct Reach {
+    /// Smallest l~ cos(alpha).
+    stiffness_min: f64,
+    c_dis_max: f64,
+    /// Largest eccentricity.
+    eccentricity_max: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Errors {
+    /// Relative.
+    eps_t: f64,
+    eps_rdot: f64,
+    eps_r: f64,
+    /// In radians.
+    eps_phi: f64,
+}
+
+impl Errors {
+    const fn new(scaled: &Scaled<f64>) -> Self {
+        let Scaled { tau, speed, angle, separation } = *scaled;
+        Self { eps_t: tau, eps_rdot: speed, eps_r: separation, eps_phi: angle }
+    }
+}
+
+fn certified() -> Result<Vec<Certified>> {
+    let mut all = Vec::new();
+    for size in Size::ALL {
+        let Ok(tables) = Tables::new(size, End::Force) else { continue };
+        for (law, name) in [(Law::LinearDashpot, "lsd"), (Law::Viscoelastic, "viscoelastic")] {
+            all.push(certificate(size, name, &tables.table(law).certificate));
+        }
+    }
+    Ok(all)
+}
+
+fn certificate(size: Size, law: &'static str, c: &Certificate) -> Certified {
+    let cos = c.domain.cos_min;
+    Certified {
+        table: size.name(),
+        law,
+        end: match c.end {
+            End::Force => "force",
+            End::Overlap => "overlap",
+        },
+        bytes: c.bytes,
+        domain: Reach {
+            stiffness_min: 1.0 / c.domain.softness_max,
+            c_dis_max: c.domain.c_dis_max,
+            eccentricity_max: ((1.0 - cos) * (1.0 + cos)).sqrt(),
+        },
+        largest: Errors::new(&c.largest),
+        usual: Errors::new(&c.usual),
+        points: c.points,
+        digest: format!("{:016x}", c.digest),
+        citation: c.citation,
+    }
+}
+
+fn print(sink: &mut dyn Write, all: &[Certified]) -> Result<()> {
+    writeln!(
+        sink,
+        "{:<9} {:<13} {:>6}  {:>11} {:>8} {:>9}  {:>8} {:>8} {:>8} {:>8}  {:>7}  {}",
+        "table",
+        "law",
+        "bytes",
+        "l~ cos(a) >",
+        "c_dis <",
+        "e <",
+        "eps_t",
+        "eps_rdot",
+        "eps_r",
+        "eps_phi",
+        "points",
+        "digest"
+    )?;
+    for c in all {
+        let (d, e) = (&c.domain, &c.largest);
+        writeln!(
+            sink,
+            "{:<9} {:<13} {:>6}  {:>11} {:>8} {:>9}  {:>8.1e} {:>8.1e} {:>8.1e} {:>8.1e}  {:>7}  {}",
+            c.table,
+            c.law,
+            c.bytes,
+            rounded(d.stiffness_min),
+            rounded(d.c_dis_max),
+            rounded(d.eccentricity_max),
+            e.eps_t,
+            e.eps_rdot,
+            e.eps_r,
+            e.eps_phi,
+            c.points,
+            c.digest
+        )?;
+    }
+    writeln!(
+        sink,
+        "Largest errors at points the fit did not use: eps_t relative, the others absolute, eps_phi in radians."
+    )?;
+    Ok(())
+}
+
+fn rounded(value: f64) -> String {
+    let text = format!("{value:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 fn figure(number: u8) -> Scene {

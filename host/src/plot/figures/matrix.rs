@@ -10,28 +10,29 @@ use crate::plot::{Axis, Panel};
 use carom_tables::{End, Groups, Law, Scaled, contact};
 use rayon::prelude::*;
 use std::f64::consts::PI;
+use tiny_skia::PathBuilder;
 
-/// MP13 Fig. 3: ε_φ of elastic linear-dashpot collisions over (ln c_φ, ln l~).
+/// MP13 Fig. 3: ε_φ of elastic linear-dashpot collisions over (ln c_φ, ln l~); white where Table I
+/// does not reach.
 pub fn fig3() -> Scene {
     let space = Space::linear();
-    let (columns, rows) = (420usize, 320usize);
+    let (columns, rows) = (370usize, 240usize);
     let y_range = [space.m[0], space.m[1] + 2.2];
     let x_range = [y_range[0] + space.g[0], y_range[1] + space.g[1]];
-    let values = (0..columns * rows)
-        .into_par_iter()
-        .map(|k| {
-            let x = spread(k % columns, columns, x_range);
-            let y = spread(k / columns, rows, y_range);
-            space.inside(x, y).map_or(f64::NAN, |[u, w]| {
-                contact::integrate(space.law, End::Force, &elastic(space.groups(u, w, 0.0))).angle
-            })
-        })
-        .collect();
+    let value = |k: usize| {
+        let x = spread(k % columns, columns, x_range);
+        let y = spread(k / columns, rows, y_range);
+        let Some([u, w]) = space.near(x, y, 0.3) else { return f64::NAN };
+        let groups = Groups { c_dis: 0.0, ..space.groups(u, w, 0.0) };
+        contact::integrate(space.law, End::Force, &groups).angle
+    };
+    let values = (0..columns * rows).into_par_iter().map(value).collect();
     let mut scene = Scene::new(440.0, 350.0);
     let place = Rect { x: 52.0, y: 56.0, width: 370.0, height: 240.0 };
     Field { columns, values }.draw(&mut scene, place, 0.0, PI);
     let (x, y) = (Axis::linear(x_range[0], x_range[1], 8), Axis::linear(y_range[0], y_range[1], 7));
     let panel = Panel { place, x, y };
+    blank_outside(&mut scene, &panel, &space);
     panel.frame(&mut scene);
     panel.labels(&mut scene, "ln *c*_{φ}", "ln *l\u{303}*", 34.0);
     let bar = Rect { x: 222.0, y: 16.0, width: 200.0, height: 9.0 };
@@ -40,8 +41,23 @@ pub fn fig3() -> Scene {
     scene
 }
 
-fn elastic(groups: Groups<f64>) -> Groups<f64> {
-    Groups { c_dis: 0.0, ..groups }
+/// Covers what lies outside of Table I: the panel with the region left out.
+fn blank_outside(scene: &mut Scene, panel: &Panel, space: &Space) {
+    let Rect { x, y, width, height } = panel.place;
+    let mut path = PathBuilder::new();
+    // The panel runs against the clock and the region with it, so the region stays open.
+    let corners = [[x, y], [x, y + height], [x + width, y + height], [x + width, y]];
+    let rim: Vec<[f64; 2]> = space.rim(60).into_iter().map(|[a, b]| panel.at(a, b)).collect();
+    for outline in [corners.as_slice(), rim.as_slice()] {
+        for (number, [x, y]) in outline.iter().enumerate() {
+            match number {
+                0 => path.move_to(*x as f32, *y as f32),
+                _ => path.line_to(*x as f32, *y as f32),
+            }
+        }
+        path.close();
+    }
+    scene.shape(path.finish(), Some(WHITE), None, Some(panel.place));
 }
 
 /// MP13 Fig. 4 (linear dashpot) or Fig. 5 (viscoelastic): a row for each damping, a column for
@@ -55,22 +71,18 @@ pub fn coefficients(law: Law) -> Scene {
         }
     };
     let mut scene = Scene::new(LEFT + 4.0 * (WIDE + GAP) + 8.0, TOP + 5.0 * (TALL + GAP) + 30.0);
+    let answers: Vec<_> = rows.iter().map(|damping| sample(&space, *damping)).collect();
     for (column, coefficient) in COEFFICIENTS.iter().enumerate() {
-        head(&mut scene, column, coefficient);
-    }
-    for (row, damping) in rows.into_iter().enumerate() {
-        let answers = sample(&space, damping);
-        for (column, coefficient) in COEFFICIENTS.iter().enumerate() {
-            let values = answers.iter().map(coefficient.value).collect();
-            let place = cell(row, column);
-            Field { columns: COLUMNS, values }.draw(
-                &mut scene,
-                place,
-                coefficient.low,
-                coefficient.high,
-            );
+        let value = coefficient.value;
+        let [low, high] = coefficient.range(answers.iter().flatten());
+        head(&mut scene, column, coefficient.name, [low, high]);
+        for (row, answers) in answers.iter().enumerate() {
+            let values = answers.iter().map(value).collect();
+            Field { columns: COLUMNS, values }.draw(&mut scene, cell(row, column), low, high);
             panel(&space, row, column).frame(&mut scene);
         }
+    }
+    for (row, damping) in rows.iter().enumerate() {
         let at = [cell(row, 0).x + 6.0, cell(row, 0).y + 13.0];
         let text = format!("{name} = {damping}").replace('-', "−");
         scene.text(at, &text, Style::new(SMALL, WHITE, Align::Left));
@@ -93,16 +105,32 @@ const ROWS: usize = 100;
 
 struct Coefficient {
     name: &'static str,
-    low: f64,
-    high: f64,
+    /// The limits, where the values themselves shall not set them.
+    low: Option<f64>,
+    high: Option<f64>,
     value: fn(&Scaled<f64>) -> f64,
 }
 
+impl Coefficient {
+    /// From the smallest to the largest value, rounded outwards to tenths.
+    fn range<'a>(&self, answers: impl Iterator<Item = &'a Scaled<f64>>) -> [f64; 2] {
+        let all = answers.map(self.value);
+        let (low, high) = all
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        [
+            self.low.unwrap_or((10.0 * low).floor() / 10.0),
+            self.high.unwrap_or((10.0 * high).ceil() / 10.0),
+        ]
+    }
+}
+
 const COEFFICIENTS: [Coefficient; 4] = [
-    Coefficient { name: "*ε*_{φ} [rad]", low: 0.0, high: PI, value: |s| s.angle },
-    Coefficient { name: "*ε*_{*r\u{307}*}", low: -1.0, high: 0.0, value: |s| -s.speed },
-    Coefficient { name: "*ε*_{*r*}", low: 0.0, high: 1.0, value: |s| s.separation },
-    Coefficient { name: "*ε*_{*t*}", low: 0.0, high: 3.25, value: |s| s.tau },
+    Coefficient { name: "*ε*_{φ} [rad]", low: Some(0.0), high: None, value: |s| s.angle },
+    Coefficient {
+        name: "*ε*_{*r\u{307}*}", low: Some(-1.0), high: Some(0.0), value: |s| -s.speed
+    },
+    Coefficient { name: "*ε*_{*r*}", low: None, high: Some(1.0), value: |s| s.separation },
+    Coefficient { name: "*ε*_{*t*}", low: Some(0.0), high: None, value: |s| s.tau },
 ];
 
 fn spread(k: usize, count: usize, [low, high]: [f64; 2]) -> f64 {
@@ -135,10 +163,9 @@ fn panel(space: &Space, row: usize, column: usize) -> Panel {
     }
 }
 
-fn head(scene: &mut Scene, column: usize, coefficient: &Coefficient) {
+fn head(scene: &mut Scene, column: usize, name: &str, [low, high]: [f64; 2]) {
     let Rect { x, width, .. } = cell(0, column);
-    let style = Style::new(NORMAL, INK, Align::Middle);
-    scene.text([x + width / 2.0, 14.0], coefficient.name, style);
+    scene.text([x + width / 2.0, 14.0], name, Style::new(NORMAL, INK, Align::Middle));
     let bar = Rect { x: x + 4.0, y: 21.0, width: width - 8.0, height: 8.0 };
-    colour_bar(scene, bar, coefficient.low, coefficient.high);
+    colour_bar(scene, bar, low, high);
 }

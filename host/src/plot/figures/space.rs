@@ -80,13 +80,32 @@ impl Space {
         Groups { sin: tan * cos, cos, eta: (-ln_l).exp(), c_dis: ln_c.exp() }
     }
 
-    /// `u` and `w` of a point (ln c_φ, ln l~), or nothing where Table I does not reach.
-    pub fn inside(&self, ln_c_phi: f64, ln_l: f64) -> Option<[f64; 2]> {
+    /// `u` and `w` of a point (ln c_φ, ln l~), or nothing where the table does not reach, not even
+    /// with a margin.
+    pub fn near(&self, ln_c_phi: f64, ln_l: f64, margin: f64) -> Option<[f64; 2]> {
         let g = ln_c_phi - ln_l;
-        let part = if self.law == Law::LinearDashpot { 0.5 } else { 0.4 };
-        let m = ln_l - part * (2.0 * g).exp().ln_1p();
-        let within = |value: f64, [low, high]: [f64; 2]| value >= low && value <= high;
+        let m = ln_l - self.rise(g);
+        let within = |x: f64, [low, high]: [f64; 2]| x >= low - margin && x <= high + margin;
         (within(g, self.g) && within(m, self.m)).then(|| [g - self.g[0], m - self.m[0]])
+    }
+
+    /// Points (ln c_φ, ln l~) around the region that the table reaches, clockwise.
+    pub fn rim(&self, steps: u32) -> Vec<[f64; 2]> {
+        let along =
+            |[from, to]: [f64; 2], k: u32| from + (to - from) * f64::from(k) / f64::from(steps);
+        let point = |g: f64, m: f64| [m + self.rise(g) + g, m + self.rise(g)];
+        let ([left, right], [bottom, top]) = (self.g, self.m);
+        let up = (0..steps).map(|k| point(left, along([bottom, top], k)));
+        let over = (0..steps).map(|k| point(along([left, right], k), top));
+        let down = (0..steps).map(|k| point(right, along([top, bottom], k)));
+        let back = (0..steps).map(|k| point(along([right, left], k), bottom));
+        up.chain(over).chain(down).chain(back).collect()
+    }
+
+    /// The second term of MP13 Eq. (48) or (55).
+    fn rise(&self, g: f64) -> f64 {
+        let part = if self.law == Law::LinearDashpot { 0.5 } else { 0.4 };
+        part * (2.0 * g).exp().ln_1p()
     }
 }
 
@@ -129,7 +148,7 @@ mod tests {
         let groups = space.groups(3.0, 5.0, 0.0);
         let ln_l = -groups.eta.ln();
         let ln_c_phi = ln_l + (groups.sin / groups.cos).ln();
-        let [u, w] = space.inside(ln_c_phi, ln_l).expect("inside Table I");
+        let [u, w] = space.near(ln_c_phi, ln_l, 0.0).expect("inside Table I");
         assert!((u - 3.0).abs() < 1e-12 && (w - 5.0).abs() < 1e-12, "{u} {w}");
     }
 }
