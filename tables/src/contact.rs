@@ -28,9 +28,17 @@ const STEPS: usize = 20_000;
 /// # Units
 /// Scaled: time in `T`, length in `X`, angle in radians.
 pub fn integrate(law: Law, end: End, groups: &Groups<f64>) -> Scaled<f64> {
+    outcome_at(end, groups, |kappa| follow(law, end, kappa, groups.eta, groups.c_dis))
+}
+
+/// Puts the impact angle back into what a contact leaves behind.
+pub(crate) fn outcome_at(
+    end: End,
+    groups: &Groups<f64>,
+    follow: impl FnOnce(f64) -> Outcome,
+) -> Scaled<f64> {
     let tan = groups.sin / groups.cos;
-    let kappa = tan * tan * groups.eta;
-    let done = follow(law, end, kappa, groups.eta, groups.c_dis);
+    let done = follow(tan * tan * groups.eta);
     let swept = if tan > 0.0 { tan * groups.eta * done.sweep } else { 0.0 };
     let angle = if done.through { core::f64::consts::PI } else { swept };
     let separation = match end {

@@ -23,8 +23,10 @@ pub trait Real:
     fn to_f64(self) -> f64;
     /// The square root of a value that is not negative.
     fn sqrt(self) -> Self;
-    /// The natural logarithm of a positive value.
-    fn ln(self) -> Self;
+    /// The cube root of a value that is not negative.
+    fn cbrt(self) -> Self;
+    /// `ln(1 + self)` of a value that is not negative.
+    fn ln_1p(self) -> Self;
 }
 
 impl Real for f32 {
@@ -40,8 +42,11 @@ impl Real for f32 {
     fn sqrt(self) -> Self {
         libm::sqrtf(self)
     }
-    fn ln(self) -> Self {
-        libm::logf(self)
+    fn cbrt(self) -> Self {
+        libm::cbrtf(self)
+    }
+    fn ln_1p(self) -> Self {
+        libm::log1pf(self)
     }
 }
 
@@ -58,7 +63,10 @@ impl Real for f64 {
     fn sqrt(self) -> Self {
         libm::sqrt(self)
     }
-    fn ln(self) -> Self {
-        libm::log(self)
+    fn cbrt(self) -> Self {
+        libm::cbrt(self)
+    }
+    fn ln_1p(self) -> Self {
+        libm::log1p(self)
     }
 }

@@ -1,10 +1,10 @@
 //! What do the expansions say at a point of the unit cube? Reads branches, leaves, rows and coefficients; writes the three columns.
 
-use super::{Stored, Table};
+use super::{Body, Stored};
 use crate::number::Real;
 
 /// The largest number of Chebyshev terms along one axis.
-pub const MAX_TERMS: usize = 32;
+pub const MAX_TERMS: usize = 16;
 
 /// One bisection: below one half of `axis` go to `low`, else to `high`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,34 +26,39 @@ pub struct Leaf {
     pub coefficient: u32,
     /// Largest number of terms along each axis.
     pub terms: [u8; 3],
+    /// Does the third column hold the angle itself (the pair may pass the centre)?
+    pub direct: bool,
 }
 
 /// The three columns at a point of the unit cube; `None` only for a table that was tampered with.
-pub(super) fn evaluate<S: Real, C: Stored>(table: &Table<C>, point: [S; 3]) -> Option<[S; 3]> {
-    let (leaf, local) = descend(table, point)?;
+pub(super) fn evaluate<S: Real, C: Stored>(
+    body: &Body<'_, C>,
+    point: [S; 3],
+) -> Option<([S; 3], bool)> {
+    let (leaf, local) = descend(body, point)?;
     let basis = [
         chebyshev(local[0], leaf.terms[0]),
         chebyshev(local[1], leaf.terms[1]),
         chebyshev(local[2], leaf.terms[2]),
     ];
-    let mut rows = table.rows.get(leaf.row as usize..)?.iter();
-    let mut coefficients = table.coefficients.get(leaf.coefficient as usize..)?;
+    let mut rows = body.rows.get(leaf.row as usize..)?.iter();
+    let mut coefficients = body.coefficients.get(leaf.coefficient as usize..)?;
     let mut columns = [S::from_f32(0.0); 3];
     for column in &mut columns {
         *column = expansion(&mut rows, &mut coefficients, &basis)?;
     }
-    Some(columns)
+    Some((columns, leaf.direct))
 }
 
 /// Walks to the leaf and to the place in it, each coordinate still in 0..1.
-fn descend<S: Real, C>(table: &Table<C>, mut y: [S; 3]) -> Option<(&'static Leaf, [S; 3])> {
+fn descend<'a, S: Real, C>(body: &Body<'a, C>, mut y: [S; 3]) -> Option<(&'a Leaf, [S; 3])> {
     let (half, one) = (S::from_f32(0.5), S::from_f32(1.0));
-    let mut next: i16 = if table.branches.is_empty() { !0 } else { 0 };
-    for _ in 0..=table.branches.len() {
+    let mut next: i16 = if body.branches.is_empty() { !0 } else { 0 };
+    for _ in 0..=body.branches.len() {
         if next < 0 {
-            return Some((table.leaves.get(!next as usize)?, y));
+            return Some((body.leaves.get(!next as usize)?, y));
         }
-        let branch = table.branches.get(next as usize)?;
+        let branch = body.branches.get(next as usize)?;
         let place = y.get_mut(branch.axis as usize)?;
         let above = *place >= half;
         *place = *place + *place - if above { one } else { S::from_f32(0.0) };
@@ -75,9 +80,9 @@ fn chebyshev<S: Real>(y: S, terms: u8) -> [S; MAX_TERMS] {
 }
 
 /// One sparse tensor expansion: `sum_i T_i(y0) sum_j T_j(y1) sum_k a_ijk T_k(y2)`.
-fn expansion<S: Real, C: Stored>(
-    rows: &mut core::slice::Iter<'static, u8>,
-    coefficients: &mut &'static [C],
+fn expansion<'a, S: Real, C: Stored>(
+    rows: &mut core::slice::Iter<'a, u8>,
+    coefficients: &mut &'a [C],
     basis: &[[S; MAX_TERMS]; 3],
 ) -> Option<S> {
     let zero = S::from_f32(0.0);

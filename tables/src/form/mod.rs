@@ -1,9 +1,15 @@
 //! What does a contact do to this pair? Reads the scaled groups and a table; writes the scaled restitution.
 
-use crate::law::{End, Law};
 use crate::number::Real;
 
+mod certificate;
+mod domain;
+mod frame;
 mod leaf;
+pub use crate::law::{End, Law};
+pub use certificate::Certificate;
+pub use domain::{Domain, SOFT};
+pub use frame::Frame;
 pub use leaf::{Branch, Leaf, MAX_TERMS};
 
 /// The dimensionless groups on which one collision depends.
@@ -32,40 +38,6 @@ pub struct Scaled<S> {
     pub separation: S,
 }
 
-/// The groups for which a table answers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Domain {
-    /// Largest `eta / cos(alpha)`, one over the smallest `l~ cos(alpha)`.
-    pub softness_max: f64,
-    /// Largest `c_dis`.
-    pub c_dis_max: f64,
-    /// Smallest `cos(alpha)`.
-    pub cos_min: f64,
-}
-
-/// What a table promises, measured by its generator through the same [`Table::read`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Certificate {
-    /// The force law.
-    pub law: Law,
-    /// The end of the contact.
-    pub end: End,
-    /// Where the table answers.
-    pub domain: Domain,
-    /// Bytes of constant data.
-    pub bytes: usize,
-    /// Largest error found: `tau` relative, the others absolute, `angle` in radians.
-    pub largest: Scaled<f64>,
-    /// The error that 99.9 % of the points stay below.
-    pub usual: Scaled<f64>,
-    /// Number of points at which it was measured.
-    pub points: usize,
-    /// FNV-1a (64 bit) of layout and coefficients.
-    pub digest: u64,
-    /// Where the equations come from.
-    pub citation: &'static str,
-}
-
 /// A number as a table stores it.
 pub trait Stored: Copy + 'static {
     /// The stored value in the number type of the reader.
@@ -84,117 +56,90 @@ impl Stored for f64 {
     }
 }
 
-/// How the groups become coordinates in the unit cube.
+/// The data of a table, wherever they live.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame<C> {
-    /// Centrifugal scale `a` in `kappa / (kappa + a)`.
-    pub kappa_scale: C,
-    /// `softness_max`, the largest `eta / cos(alpha)`.
-    pub softness: C,
-    /// Largest `c_dis`.
-    pub c_dis: C,
-    /// How strongly centrifugal push and damping go together.
-    pub bend: C,
-    /// Take the root of the damping coordinate?
-    pub root: bool,
+pub struct Body<'a, C> {
+    /// The end of the contact.
+    pub end: End,
+    /// Where the table answers.
+    pub domain: Domain<C>,
+    /// Coordinates.
+    pub frame: Frame<C>,
+    /// Bisections of the unit cube; empty when there is one leaf.
+    pub branches: &'a [Branch],
+    /// Pieces of the unit cube.
+    pub leaves: &'a [Leaf],
+    /// Row lengths of the sparse expansions.
+    pub rows: &'a [u8],
+    /// Chebyshev coefficients.
+    pub coefficients: &'a [C],
+}
+
+impl<C: Stored> Body<'_, C> {
+    /// The restitution of one collision; `None` outside the domain and for NaN.
+    pub fn read<S: Real>(&self, g: &Groups<S>) -> Option<Scaled<S>> {
+        if !self.domain.contains(g) {
+            return None;
+        }
+        let one = S::from_f32(1.0);
+        let tan = g.sin / g.cos;
+        let groups = [tan * tan * g.eta, g.eta, g.c_dis];
+        let (columns, direct) = leaf::evaluate(self, self.frame.coordinates(groups))?;
+        let [tau, speed, angle] = self.frame.unscale(groups, tan * g.eta, direct, columns);
+        let separation = match self.end {
+            End::Force => one - g.c_dis * speed * g.eta,
+            End::Overlap => one,
+        };
+        Some(Scaled { tau, speed, angle, separation })
+    }
+
+    /// Bytes of branches, leaves, rows and coefficients.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.branches)
+            + size_of_val(self.leaves)
+            + size_of_val(self.rows)
+            + size_of_val(self.coefficients)
+    }
 }
 
 /// A fitted, certified table; `C` is the stored number.
+///
+/// ```
+/// use carom_tables::{Groups, Law, Recipe, Table};
+/// # #[cfg(feature = "generate")] {
+/// let made = Recipe::compact(Law::LinearDashpot).generate().unwrap();
+/// let hit = Groups { sin: 0.6, cos: 0.8, eta: 0.05, c_dis: 0.1 };
+/// let after = made.body().read(&hit).unwrap();
+/// assert!(after.speed < 1.0 && after.angle > 0.0);
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Table<C: 'static = f32> {
     /// What the table promises.
     pub certificate: Certificate,
-    /// Coordinates.
-    pub frame: Frame<C>,
-    /// Smallest cosine of the domain.
-    pub cos_min: C,
-    /// Bisections of the unit cube; empty when there is one leaf.
-    pub branches: &'static [Branch],
-    /// Pieces of the unit cube.
-    pub leaves: &'static [Leaf],
-    /// Row lengths of the sparse expansions.
-    pub rows: &'static [u8],
-    /// Chebyshev coefficients.
-    pub coefficients: &'static [C],
+    /// The data.
+    pub body: Body<'static, C>,
 }
 
 impl<C: Stored> Table<C> {
     /// Are these groups inside the domain? `false` for NaN.
     pub fn contains<S: Real>(&self, g: &Groups<S>) -> bool {
-        let zero = S::from_f32(0.0);
-        g.sin >= zero
-            && g.sin <= S::from_f32(1.0)
-            && g.cos >= self.cos_min.get()
-            && g.cos <= S::from_f32(1.0)
-            && g.eta >= zero
-            && g.eta <= self.frame.softness.get::<S>() * g.cos
-            && g.c_dis >= zero
-            && g.c_dis <= self.frame.c_dis.get()
+        self.body.domain.contains(g)
     }
 
     /// The nearest groups inside the domain, axis by axis; NaN becomes the lower end.
     pub fn clamp<S: Real>(&self, g: &Groups<S>) -> Groups<S> {
-        let (zero, one) = (S::from_f32(0.0), S::from_f32(1.0));
-        let cos = between(g.cos, self.cos_min.get(), one);
-        let sin = between(g.sin, zero, (one - cos * cos).sqrt());
-        Groups {
-            sin,
-            cos,
-            eta: between(g.eta, zero, self.frame.softness.get::<S>() * cos),
-            c_dis: between(g.c_dis, zero, self.frame.c_dis.get()),
-        }
+        self.body.domain.clamp(g)
     }
 
     /// The restitution of one collision; `None` outside the domain and for NaN.
+    ///
+    /// Exact by construction: `speed = separation = 1` at `c_dis = 0`; `angle = 0` and
+    /// `separation = 1` at `eta = 0` (the hard sphere).
+    ///
+    /// # Units
+    /// Scaled as in [`Scaled`]; multiply with the law's `T` and normal impact speed.
     pub fn read<S: Real>(&self, g: &Groups<S>) -> Option<Scaled<S>> {
-        if !self.contains(g) {
-            return None;
-        }
-        let point = self.frame.coordinates(g);
-        let columns = leaf::evaluate(self, point)?;
-        Some(unscale(g, columns, self.certificate.end))
+        self.body.read(g)
     }
-}
-
-fn between<S: Real>(value: S, low: S, high: S) -> S {
-    if value >= high {
-        high
-    } else if value > low {
-        value
-    } else {
-        low
-    }
-}
-
-impl<C: Stored> Frame<C> {
-    /// The unit cube: centrifugal push, softness, damping.
-    pub fn coordinates<S: Real>(&self, g: &Groups<S>) -> [S; 3] {
-        let one = S::from_f32(1.0);
-        let two = S::from_f32(2.0);
-        let (a, b): (S, S) = (self.kappa_scale.get(), self.softness.get());
-        let bend: S = self.bend.get();
-        let cos2 = g.cos * g.cos;
-        let push = g.sin * g.sin * g.eta;
-        let first = push / (push + a * cos2);
-        let second = g.eta * (two * b * cos2 + push) / (two * b * b * cos2);
-        let u = g.c_dis / self.c_dis.get();
-        let third = u * (cos2 + bend * push) / (cos2 + bend * push * u);
-        let third = if self.root { third.sqrt() } else { third };
-        [between(first, S::from_f32(0.0), one), between(second, S::from_f32(0.0), one), third]
-    }
-}
-
-/// Puts back what was divided out of the three columns.
-fn unscale<S: Real>(g: &Groups<S>, columns: [S; 3], end: End) -> Scaled<S> {
-    let one = S::from_f32(1.0);
-    let tan = g.sin / g.cos;
-    let push = one + tan * tan * g.eta;
-    let tau = columns[0] / push;
-    let speed = one / (one + g.c_dis * push * columns[1]);
-    let angle = tan * g.eta * tau * (one + g.eta * columns[2]);
-    let separation = match end {
-        End::Force => one - g.c_dis * speed * g.eta,
-        End::Overlap => one,
-    };
-    Scaled { tau, speed, angle, separation }
 }

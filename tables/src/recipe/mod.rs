@@ -1,0 +1,222 @@
+//! Which table is wanted? Reads law, limits and tolerance; writes a certified table as Rust text for a `build.rs`.
+
+mod certify;
+mod emit;
+mod error;
+mod made;
+mod preset;
+pub mod range;
+pub mod spread;
+
+use std::path::Path;
+
+use crate::fit::{Ask, fit};
+use crate::form::{Domain, End, Frame, Law, SOFT};
+pub use error::Error;
+pub use made::{Made, Number};
+
+/// What a table shall hold: a law, an end, a domain, a tolerance.
+///
+/// In a `build.rs`:
+/// ```
+/// use carom_tables::{Law, Recipe};
+/// # let out = std::env::temp_dir().join("carom-doc-recipe.rs");
+/// Recipe::compact(Law::LinearDashpot).c_dis_max(0.3).write(&out, "GLASS")?;
+/// # std::fs::remove_file(out).ok();
+/// # Ok::<(), carom_tables::recipe::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recipe {
+    law: Law,
+    end: End,
+    domain: Domain,
+    wide: bool,
+    tolerance: f64,
+    loose: f64,
+    limit: usize,
+    points: usize,
+    bytes_max: Option<usize>,
+    number: Number,
+    form: String,
+    tables: bool,
+}
+
+impl Recipe {
+    /// When the contact ends; [`End::Force`] unless said.
+    #[must_use]
+    pub fn end(mut self, end: End) -> Self {
+        self.end = end;
+        self
+    }
+
+    /// Largest `eta / cos(alpha)`: one over the smallest `l~ cos(alpha)`.
+    #[must_use]
+    pub fn softness_max(mut self, softness_max: f64) -> Self {
+        self.domain.softness_max = softness_max;
+        self
+    }
+
+    /// Largest `c_dis`.
+    #[must_use]
+    pub fn c_dis_max(mut self, c_dis_max: f64) -> Self {
+        self.domain.c_dis_max = c_dis_max;
+        self
+    }
+
+    /// Smallest `cos(alpha)`; the presets of the stiff domain reach 1e-6.
+    #[must_use]
+    pub fn cos_min(mut self, cos_min: f64) -> Self {
+        self.domain.cos_min = cos_min;
+        self
+    }
+
+    /// The error that the fit aims at: relative for the duration, absolute for speed and angle.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.loose *= tolerance / self.tolerance;
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// Raise the tolerance until the table has at most this many bytes.
+    #[must_use]
+    pub fn bytes_max(mut self, bytes: usize) -> Self {
+        self.bytes_max = Some(bytes);
+        self
+    }
+
+    /// Most coefficients that one reading may touch (all three columns): bytes against speed.
+    #[must_use]
+    pub fn terms_max(mut self, terms: usize) -> Self {
+        self.limit = terms;
+        self
+    }
+
+    /// Points at which the table is certified.
+    #[must_use]
+    pub fn points(mut self, points: usize) -> Self {
+        self.points = points;
+        self
+    }
+
+    /// Stored number; `f32` unless said.
+    #[must_use]
+    pub fn number(mut self, number: Number) -> Self {
+        self.number = number;
+        self
+    }
+
+    /// The path under which the emitted text finds the module `form` of this crate.
+    #[must_use]
+    pub fn form_path(mut self, path: &str) -> Self {
+        self.form = path.into();
+        self
+    }
+
+    /// Fits and certifies.
+    ///
+    /// # Errors
+    /// Names the field that is out of range, its value and what would be right.
+    pub fn generate<C: made::Store>(&self) -> Result<Made<C>, Error> {
+        self.check()?;
+        let mut tolerance = self.tolerance;
+        for _ in 0..24 {
+            let ask = self.ask::<C>(tolerance);
+            let made = Made::<C>::new(&ask, fit(&ask), self.points);
+            if self.bytes_max.is_none_or(|most| made.certificate.bytes <= most) {
+                return Ok(made);
+            }
+            tolerance *= 1.6;
+        }
+        let bytes = self.bytes_max.unwrap_or_default();
+        Err(Error::field("bytes_max", bytes, "room for a table of this domain"))
+    }
+
+    /// The table as Rust text: `pub static NAME: Table<f32> = ...;`.
+    ///
+    /// # Errors
+    /// Names the field that is out of range, its value and what would be right.
+    pub fn emit(&self, name: &str) -> Result<String, Error> {
+        if !emit::is_name(name) {
+            return Err(Error::field("name", name, "a Rust name such as MY_TABLE"));
+        }
+        Ok(match self.number {
+            Number::F32 => emit::text(&self.generate::<f32>()?, name, &self.form),
+            Number::F64 => emit::text(&self.generate::<f64>()?, name, &self.form),
+        })
+    }
+
+    /// Writes the table as Rust text into a file, whole or not at all.
+    ///
+    /// # Errors
+    /// Names the field that is out of range, or the file that could not be written.
+    pub fn write(&self, path: impl AsRef<Path>, name: &str) -> Result<(), Error> {
+        emit::write(path.as_ref(), &self.emit(name)?)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let d = &self.domain;
+        let ranges = [
+            ("softness_max", d.softness_max, 1e-12, 12.0, "a number in 1e-12..12"),
+            ("c_dis_max", d.c_dis_max, 1e-12, 1e7, "a number in 1e-12..1e7"),
+            ("cos_min", d.cos_min, 1e-6, 0.9, "a number in 1e-6..0.9"),
+            ("tolerance", self.tolerance, 1e-10, 0.1, "a number in 1e-10..0.1"),
+        ];
+        for (field, value, low, high, wanted) in ranges {
+            if !(low..=high).contains(&value) {
+                return Err(Error::field(field, value, wanted));
+            }
+        }
+        let overlap = self.end == End::Overlap;
+        if overlap && (d.c_dis_max > 1.0 || self.is_wide()) {
+            let wanted = "at most 1, and softness_max at most 0.3, when the overlap ends a contact";
+            return Err(Error::field("c_dis_max", d.c_dis_max, wanted));
+        }
+        if self.points < 100 {
+            return Err(Error::field("points", self.points, "at least 100"));
+        }
+        if self.limit < 10 {
+            return Err(Error::field("terms_max", self.limit, "at least 10"));
+        }
+        Ok(())
+    }
+
+    /// Outside the stiff, weakly damped corner the wide frame is needed.
+    fn is_wide(&self) -> bool {
+        self.wide || self.domain.softness_max > 0.3 || self.domain.c_dis_max > 2.0
+    }
+
+    fn ask<C: made::Store>(&self, tolerance: f64) -> Ask {
+        let wide = self.is_wide();
+        let round = |value: f64| C::from_f64(value).to_f64();
+        let scale = if wide { 1.0 } else { 0.5 };
+        let frame = Frame {
+            law: self.law,
+            wide,
+            kappa_scale: scale,
+            softness: round(self.domain.softness_max),
+            c_dis: round(self.domain.c_dis_max),
+            bend: scale,
+        };
+        let mut domain = self.domain;
+        if !self.tables {
+            // Given by the other limits; what passes the centre counts only for very soft contacts.
+            domain.stick_max = 1.01 * domain.softness_max * domain.c_dis_max;
+            domain.sin_min = if domain.softness_max > f64::from(SOFT) { 0.0099 } else { 0.0 };
+        }
+        let typical = if self.tables { range::coordinates(&frame) } else { Vec::new() };
+        Ask {
+            law: self.law,
+            end: self.end,
+            frame,
+            domain: made::outward::<C>(&domain),
+            goal: tolerance,
+            loose: self.loose * tolerance / self.tolerance,
+            limit: self.limit,
+            start: if wide { [6, 4, 6] } else { [10, 4, 10] },
+            patience: if wide { 40.0 } else { 1e5 },
+            precise: C::PRECISE,
+            typical,
+        }
+    }
+}

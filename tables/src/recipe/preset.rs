@@ -1,0 +1,68 @@
+//! Which tables does carom itself carry? Reads the law; writes a recipe.
+
+use super::{Number, Recipe};
+use crate::form::{Domain, End, Law};
+
+impl Recipe {
+    /// The smallest table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 1e-4.
+    #[must_use]
+    pub fn compact(law: Law) -> Self {
+        Recipe { tolerance: 5e-5, points: 6_000, limit: 400, ..Self::standard(law) }
+    }
+
+    /// The usual table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 3e-7.
+    #[must_use]
+    pub fn standard(law: Law) -> Self {
+        Recipe {
+            law,
+            end: End::Force,
+            domain: Domain {
+                softness_max: 0.2,
+                c_dis_max: 1.0,
+                cos_min: 1e-6,
+                sin_min: 0.0,
+                stick_max: 0.25,
+            },
+            wide: false,
+            tolerance: 2e-7,
+            loose: 2e-7,
+            limit: 250,
+            points: 8_000,
+            bytes_max: None,
+            number: Number::F32,
+            form: "::carom_tables::form".into(),
+            tables: false,
+        }
+    }
+
+    /// All of MP13's Table I (linear) or Table II (viscoelastic), and more grazing collisions.
+    #[must_use]
+    pub fn wide(law: Law) -> Self {
+        let domain = match law {
+            Law::LinearDashpot => Domain {
+                softness_max: 10.32,
+                c_dis_max: 56.0,
+                cos_min: 0.01,
+                sin_min: 0.0099,
+                stick_max: 16.0,
+            },
+            Law::Viscoelastic => Domain {
+                softness_max: 0.7,
+                c_dis_max: 5e6,
+                cos_min: 0.01,
+                sin_min: 0.0,
+                stick_max: 5e6,
+            },
+        };
+        Recipe {
+            domain,
+            wide: true,
+            tolerance: 5e-4,
+            loose: 5e-3,
+            limit: 300,
+            points: 30_000,
+            tables: true,
+            ..Self::standard(law)
+        }
+    }
+}
