@@ -5,6 +5,7 @@ use super::scene::{Release, Scene};
 use super::turn::Touch;
 use crate::fault::Fault;
 use crate::law::{Answer, Encounter, Outcome, Response, Rule, Trust};
+use crate::matter::cells::Stride;
 use crate::matter::{Body, Partner};
 use crate::number::{Scalar, Vector, all_numbers};
 
@@ -23,7 +24,7 @@ pub enum Deed<S> {
     /// A third body came before the contact's end, which was drawn forward to now.
     Interruption,
     /// The neighbours were looked at again.
-    Leash,
+    Wander,
 }
 
 /// The grains whose events must be predicted anew.
@@ -48,7 +49,7 @@ pub(crate) fn meet<S: Scalar, const D: usize>(
     match (other, partner.as_plane()) {
         (Some(k), _) => grains(scene, rule, i, k),
         (None, Some(p)) => plane::meet(scene, rule, i, p),
-        (None, None) => Ok(Deed::Leash),
+        (None, None) => Ok(Deed::Wander),
     }
 }
 
@@ -193,7 +194,7 @@ fn grains<S: Scalar, const D: usize>(
     match response {
         Response::Lasting(outcome) => Ok(contact(scene, [i, k], &pair, &touch, &outcome)),
         Response::Instant(restitution) => Ok(bounce(scene, [i, k], &pair, &touch, restitution)),
-        Response::Refused { .. } => Ok(Deed::Leash),
+        Response::Refused { .. } => Ok(Deed::Wander),
     }
 }
 
@@ -243,8 +244,8 @@ fn contact<S: Scalar, const D: usize>(
         partner: Partner::grain(partner),
         ..*body
     };
-    scene.place(i, bound(a, at_a, share_a, k));
-    scene.place(k, bound(b, at_b, share_b, i));
+    scene.relocate(i, bound(a, at_a, share_a, k));
+    scene.relocate(k, bound(b, at_b, share_b, i));
     Deed::Contact(*outcome)
 }
 
@@ -256,15 +257,19 @@ pub(crate) fn broken<S: Scalar, const D: usize>(body: &Body<S, D>) -> Option<&'s
     (!all_numbers(&body.velocity) || !all_numbers(&body.release)).then_some("velocity")
 }
 
-/// Grain `i` has flown far: its position is brought back into the box, nothing else changes.
-pub(crate) fn leash<S: Scalar, const D: usize>(
+/// Grain `i` leaves its cell or has flown far: other grains are near it now; its motion stays the same.
+pub(crate) fn wander<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     i: usize,
+    code: u32,
     touched: &mut Touched,
 ) -> Deed<S> {
     let _ = touched.push(i);
-    scene.counters.leashes += 1;
-    let body = scene.present(i);
-    scene.place(i, body);
-    Deed::Leash
+    scene.counters.wanderings += 1;
+    if scene.cells.grid.is_some() {
+        scene.cross(i, Stride::from_code(code));
+    } else {
+        scene.rein_in(i);
+    }
+    Deed::Wander
 }

@@ -14,7 +14,7 @@ pub(super) fn meet<S: Scalar, const D: usize>(
     i: usize,
     p: usize,
 ) -> Result<Deed<S>, Fault> {
-    let Some(plane) = scene.boundary.planes().get(p).copied() else { return Ok(Deed::Leash) };
+    let Some(plane) = scene.boundary.planes().get(p).copied() else { return Ok(Deed::Wander) };
     let body = scene.present(i);
     let radial = plane.normal.dot(&body.velocity);
     let response = match plane.surface {
@@ -28,7 +28,7 @@ pub(super) fn meet<S: Scalar, const D: usize>(
     match response {
         Response::Lasting(outcome) => Ok(contact(scene, (i, p), &body, &plane, &outcome)),
         Response::Instant(restitution) => Ok(bounce(scene, i, &body, &plane, restitution)),
-        Response::Refused { .. } => Ok(Deed::Leash),
+        Response::Refused { .. } => Ok(Deed::Wander),
     }
 }
 
@@ -92,6 +92,6 @@ fn contact<S: Scalar, const D: usize>(
         partner: Partner::plane(p),
         ..*body
     };
-    scene.place(i, bound);
+    scene.relocate(i, bound);
     Deed::Contact(*outcome)
 }

@@ -3,6 +3,7 @@
 use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
+use crate::matter::cells::{Grid, Stride};
 use crate::matter::{Body, Boundary, Partner, Plane, flight};
 use crate::number::Scalar;
 
@@ -10,10 +11,10 @@ use crate::number::Scalar;
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
     let me = scene.present(grain);
     let mut slot = release(&me);
-    for (k, other) in scene.bodies.iter().enumerate() {
-        if k == grain || scene.bound(grain, k) {
+    for k in scene.cells.near(me.cell) {
+        let Some(other) = scene.body(k).filter(|_| k != grain && !scene.bound(grain, k)) else {
             continue;
-        }
+        };
         if let Some(span) = pair(scene, &me, other) {
             earlier(&mut slot, meeting(scene, span, Partner::grain(k)));
         }
@@ -23,8 +24,13 @@ pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: us
             earlier(&mut slot, meeting(scene, span, Partner::plane(p)));
         }
     }
-    if let Some(span) = leash(scene, &me) {
-        earlier(&mut slot, Slot::alone(scene.now + span, Kind::Leash));
+    let wander = match &scene.cells.grid {
+        Some(grid) => crossing(scene, grid, &me),
+        None => leash(scene, &me).map(|span| (span, 0)),
+    };
+    if let Some((span, stamp)) = wander {
+        let wander = Slot { stamp, ..Slot::alone(scene.now + span, Kind::Wander) };
+        earlier(&mut slot, wander);
     }
     slot
 }
@@ -65,6 +71,30 @@ fn against<S: Scalar, const D: usize>(
     root::plane(gap, plane.normal.dot(&me.velocity), plane.normal.dot(&scene.gravity))
 }
 
+/// When the grain leaves its cell, and through which face.
+///
+/// The faces obey the rule for planes: a grain that rounding has put just outside its cell crosses
+/// at once if it flies outwards, and not at all if it flies back in.
+fn crossing<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    grid: &Grid<S, D>,
+    me: &Body<S, D>,
+) -> Option<(S, u32)> {
+    let mut first = None::<(S, u32)>;
+    let motion = me.position.iter().zip(me.velocity.iter()).zip(scene.gravity.iter());
+    for (axis, ((&x, &v), &g)) in motion.enumerate() {
+        let [low, high] = grid.faces(me.cell, axis, x);
+        let down = low.and_then(|gap| root::plane(gap, v, g)).map(|t| (t, false));
+        let up = high.and_then(|gap| root::plane(gap, -v, -g)).map(|t| (t, true));
+        for (span, up) in [down, up].into_iter().flatten() {
+            if first.is_none_or(|(least, _)| span < least) {
+                first = Some((span, Stride { axis, up }.code()));
+            }
+        }
+    }
+    first
+}
+
 /// When the grain has flown to the end of its leash along a periodic axis.
 fn leash<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -> Option<S> {
     let mut first = None::<S>;
@@ -93,9 +123,14 @@ fn meeting<S: Scalar, const D: usize>(
     Slot { time: scene.now + span, kind: Kind::Meet, partner, stamp }
 }
 
-/// Keeps the earlier of two; at equal times the one that was there. NaN and infinity never win.
+/// Keeps the earlier of two; at equal times a contact's end, then the lower partner, so that the order
+/// in which neighbours are visited does not matter. NaN and infinity never win.
 fn earlier<S: Scalar>(slot: &mut Slot<S>, candidate: Slot<S>) {
-    if candidate.time < slot.time {
+    let tie = candidate.time == slot.time
+        && slot.kind == Kind::Meet
+        && candidate.kind == Kind::Meet
+        && candidate.partner.word() < slot.partner.word();
+    if candidate.time < slot.time || tie {
         *slot = candidate;
     }
 }

@@ -15,8 +15,8 @@ pub enum Kind {
     Meet,
     /// Its contact ends (E^v of MP13).
     Release,
-    /// It has flown so far that its neighbours must be looked at again.
-    Leash,
+    /// It leaves its cell, or has flown so far that its neighbours must be looked at again.
+    Wander,
     /// Nothing will happen to it.
     Nothing,
 }
@@ -132,7 +132,7 @@ mod tests {
         let n = times.len();
         let mut queue = Queue::new(&mut slots[..n], &mut tree[..n]);
         for (i, &t) in times.iter().enumerate() {
-            queue.set(i, Slot::alone(t, Kind::Leash));
+            queue.set(i, Slot::alone(t, Kind::Wander));
         }
         let mut order = std::vec::Vec::new();
         for _ in 0..n {

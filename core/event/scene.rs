@@ -1,5 +1,7 @@
 //! What does an event see and change? The bodies, the space they are in, the present, the counters.
 
+use crate::fault::{Fault, Subject};
+use crate::matter::cells::{Cells, Grid, Stride};
 use crate::matter::{Body, Boundary, Partner, flight};
 use crate::number::{Instant, Scalar, Vector};
 
@@ -35,8 +37,8 @@ pub struct Counters {
     pub hard_sphere: u64,
     /// Predicted events that another event had made void.
     pub stale: u64,
-    /// Looks at the neighbours again after a long flight in a periodic box.
-    pub leashes: u64,
+    /// Flights into another cell, or so far that the neighbours had to be looked at again.
+    pub wanderings: u64,
     /// Times the clock was set back so as not to lose precision.
     pub epochs: u64,
 }
@@ -52,6 +54,7 @@ impl Counters {
 /// Everything but the queue.
 pub(crate) struct Scene<'m, S: Scalar, const D: usize> {
     pub bodies: &'m mut [Body<S, D>],
+    pub cells: Cells<'m, S, D>,
     pub boundary: Boundary<S, D>,
     pub gravity: Vector<S, D>,
     /// The present, after the epoch.
@@ -77,13 +80,77 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
         self.bodies.get(grain)
     }
 
-    /// Writes a body whose trajectory changed: inside the box, events predicted for it void.
+    /// Writes a body whose velocity changed: events predicted for it are void.
     pub fn place(&mut self, grain: usize, mut body: Body<S, D>) {
-        body.position = self.boundary.wrap(body.position);
         body.stamp = body.stamp.wrapping_add(1);
         if let Some(place) = self.bodies.get_mut(grain) {
             *place = body;
         }
+    }
+
+    /// Writes a body that was put somewhere else: inside the box and in its new cell, too.
+    pub fn relocate(&mut self, grain: usize, mut body: Body<S, D>) {
+        body.position = self.boundary.wrap(body.position);
+        if let Some(cell) = self.cells.grid.as_ref().map(|grid| grid.locate(&body.position))
+            && cell != body.cell
+        {
+            self.cells.remove(grain, body.cell);
+            self.cells.insert(grain, cell);
+            body.cell = cell;
+        }
+        self.place(grain, body);
+    }
+
+    /// Lets a grain cross into the next cell. Its trajectory stays the same; only its image may change.
+    pub fn cross(&mut self, grain: usize, stride: Stride) {
+        let Some(body) = self.bodies.get_mut(grain) else { return };
+        let from = body.cell;
+        let next = self.cells.grid.as_ref().and_then(|grid| grid.stride(from, stride));
+        let Some((cell, turns)) = next else { return };
+        body.cell = cell;
+        let length = self.boundary.periodic(stride.axis).map_or(S::zero(), |p| p.length);
+        if let Some(x) = body.position.get_mut(stride.axis).filter(|_| turns != S::zero()) {
+            *x += turns * length;
+        }
+        self.cells.remove(grain, from);
+        self.cells.insert(grain, cell);
+    }
+
+    /// Without cells: a grain at the end of its leash is brought back into the box.
+    pub fn rein_in(&mut self, grain: usize) {
+        let now = self.present(grain).position;
+        let shift = self.boundary.wrap(now) - now;
+        if let Some(body) = self.bodies.get_mut(grain) {
+            body.position += shift;
+        }
+    }
+
+    /// Puts every grain into its cell, by its position at the start.
+    pub fn fill_cells(&mut self) {
+        for (i, body) in self.bodies.iter_mut().enumerate() {
+            if let Some(grid) = &self.cells.grid {
+                body.cell = grid.locate(&body.position);
+                self.cells.insert(i, body.cell);
+            }
+        }
+    }
+
+    /// Takes over a saved grid and puts every grain into the cell it says it is in.
+    pub fn take_grid(&mut self, grid: Option<Grid<S, D>>) -> Result<(), Fault> {
+        let cells = grid.as_ref().map_or(0, Grid::cells);
+        if !self.cells.start(grid) {
+            let knob = "the heads of cells (N of Memory, or the host's vectors)";
+            return Err(Fault::Full { knob, capacity: self.cells.capacity() });
+        }
+        for (i, body) in self.bodies.iter_mut().enumerate().filter(|_| cells > 0) {
+            if body.cell as usize >= cells {
+                let wanted = "the number of a cell";
+                let cell = f64::from(body.cell);
+                return Err(Fault::input(Subject::Grain(i), "cell", cell, wanted));
+            }
+            self.cells.insert(i, body.cell);
+        }
+        Ok(())
     }
 
     /// The instant that the present is.
@@ -105,10 +172,12 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
     /// Whether `grain` can stand at `position`: it overlaps nothing but `except` more than it does now.
     pub fn is_free(&self, grain: usize, position: Vector<S, D>, except: Partner) -> bool {
         let me = self.present(grain);
-        let mut others = self.bodies.iter().enumerate();
+        let inside = self.boundary.wrap(position);
+        let cell = self.cells.grid.as_ref().map_or(0, |grid| grid.locate(&inside));
         self.free_of_planes(&me, position, except)
-            && others.all(|(k, other)| {
-                k == grain || Partner::grain(k) == except || self.free_of(&me, position, other)
+            && self.cells.near(cell).all(|k| {
+                let other = self.body(k).filter(|_| k != grain && Partner::grain(k) != except);
+                other.is_none_or(|other| self.free_of(&me, position, other))
             })
     }
 

@@ -82,6 +82,24 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
         self.planes.push(plane).is_ok()
     }
 
+    /// What a periodic axis is; none if it is not one.
+    #[must_use]
+    pub fn periodic(&self, axis: usize) -> Option<Periodic<S>> {
+        self.axes.get(axis).copied().flatten()
+    }
+
+    /// An interval along an axis, its ends put onto the planes that stand across that axis.
+    pub(crate) fn between_planes(&self, axis: usize, [mut low, mut high]: [S; 2]) -> [S; 2] {
+        for plane in &self.planes {
+            match plane.normal.get(axis) {
+                Some(&n) if n == S::one() => low = plane.offset,
+                Some(&n) if n == -S::one() => high = -plane.offset,
+                _ => {}
+            }
+        }
+        [low, high]
+    }
+
     /// The planes, in the order in which they were added.
     #[must_use]
     pub fn planes(&self) -> &[Plane<S, D>] {

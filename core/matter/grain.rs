@@ -127,6 +127,8 @@ pub struct Body<S: Scalar, const D: usize> {
     pub(crate) partner: Partner,
     /// Changes whenever the trajectory does, so that events predicted before can be told as stale.
     pub(crate) stamp: u32,
+    /// In which cell it is.
+    pub(crate) cell: u32,
     pub(crate) material: u8,
 }
 
@@ -143,6 +145,7 @@ impl<S: Scalar, const D: usize> Body<S, D> {
             release_at: S::NEVER,
             partner: Partner::NOTHING,
             stamp: 0,
+            cell: 0,
             material: grain.material,
         }
     }

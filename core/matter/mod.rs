@@ -1,6 +1,7 @@
 //! What moves, and in which space? Grains, free flight, boundaries; reads numbers, writes positions.
 
 pub mod boundary;
+pub mod cells;
 pub mod flight;
 pub mod grain;
 

@@ -40,7 +40,7 @@ impl Fnv {
         self.word(match slot.kind {
             Kind::Meet => 0,
             Kind::Release => 1,
-            Kind::Leash => 2,
+            Kind::Wander => 2,
             Kind::Nothing => 3,
         });
     }

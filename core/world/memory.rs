@@ -2,9 +2,10 @@
 
 use crate::event::Slot;
 use crate::matter::Body;
+use crate::matter::cells::Link;
 use crate::number::Scalar;
 
-/// What a world borrows: three slices, the shortest of which says how many grains fit.
+/// What a world borrows. The shortest slice but `heads` says how many grains fit.
 pub struct Room<'m, S: Scalar, const D: usize> {
     /// One body for each grain.
     pub bodies: &'m mut [Body<S, D>],
@@ -12,6 +13,19 @@ pub struct Room<'m, S: Scalar, const D: usize> {
     pub slots: &'m mut [Slot<S>],
     /// The tournament tree: one word for each grain.
     pub tree: &'m mut [u32],
+    /// One link for each grain, for the lists of grains in cells.
+    pub links: &'m mut [Link],
+    /// One word for each cell: as many as grains are enough, with fewer the cells are larger.
+    pub heads: &'m mut [u32],
+}
+
+impl<S: Scalar, const D: usize> Room<'_, S, D> {
+    /// How many grains fit.
+    #[must_use]
+    pub fn capacity(&self) -> usize {
+        let lengths = [self.slots.len(), self.tree.len(), self.links.len()];
+        lengths.into_iter().fold(self.bodies.len(), usize::min)
+    }
 }
 
 /// Something a world can live in.
@@ -28,13 +42,21 @@ pub struct Memory<S: Scalar, const D: usize, const N: usize> {
     bodies: [Body<S, D>; N],
     slots: [Slot<S>; N],
     tree: [u32; N],
+    links: [Link; N],
+    heads: [u32; N],
 }
 
 impl<S: Scalar, const D: usize, const N: usize> Memory<S, D, N> {
     /// Empty memory.
     #[must_use]
     pub fn new() -> Self {
-        Self { bodies: [Body::default(); N], slots: [Slot::EMPTY; N], tree: [0; N] }
+        Self {
+            bodies: [Body::default(); N],
+            slots: [Slot::EMPTY; N],
+            tree: [0; N],
+            links: [Link::default(); N],
+            heads: [0; N],
+        }
     }
 }
 
@@ -46,6 +68,12 @@ impl<S: Scalar, const D: usize, const N: usize> Default for Memory<S, D, N> {
 
 impl<S: Scalar, const D: usize, const N: usize> Lend<S, D> for Memory<S, D, N> {
     fn lend(&mut self) -> Room<'_, S, D> {
-        Room { bodies: &mut self.bodies, slots: &mut self.slots, tree: &mut self.tree }
+        Room {
+            bodies: &mut self.bodies,
+            slots: &mut self.slots,
+            tree: &mut self.tree,
+            links: &mut self.links,
+            heads: &mut self.heads,
+        }
     }
 }

@@ -6,6 +6,7 @@ use crate::event::Slot;
 use crate::event::scene::{Counters, Release};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
+use crate::matter::cells::Grid;
 use crate::matter::{Body, Boundary};
 use crate::number::{Instant, Scalar, Vector};
 
@@ -24,6 +25,7 @@ use crate::number::{Instant, Scalar, Vector};
 )]
 pub struct Saved<S: Scalar, const D: usize, B, Q> {
     boundary: Boundary<S, D>,
+    grid: Option<Grid<S, D>>,
     gravity: Vector<S, D>,
     now: S,
     epoch: Instant,
@@ -41,6 +43,7 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
     pub fn save(&self) -> Saved<S, D, &[Body<S, D>], &[Slot<S>]> {
         Saved {
             boundary: self.scene.boundary.clone(),
+            grid: self.scene.cells.grid,
             gravity: self.scene.gravity,
             now: self.scene.now,
             epoch: self.scene.epoch,
@@ -74,6 +77,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         let mut world = World::setup(memory).rule(rule).grains(grains)?.build()?;
         world.scene.bodies.copy_from_slice(bodies);
         world.scene.boundary = saved.boundary.clone();
+        world.scene.take_grid(saved.grid)?;
         world.scene.gravity = saved.gravity;
         world.scene.now = saved.now;
         world.scene.epoch = saved.epoch;

@@ -8,6 +8,7 @@ use crate::event::{Slot, predict};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
 use crate::matter::boundary::MOST_PLANES;
+use crate::matter::cells::{Cells, Grid};
 use crate::matter::{Body, Boundary, Grain, Partner, Periodic, Plane, Surface};
 use crate::number::{Instant, Scalar, Vector};
 
@@ -171,18 +172,22 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
     pub(super) fn build(self) -> Result<World<'m, S, D, R>, Fault> {
         self.fault.map_or(Ok(()), Err)?;
         self.rule.check()?;
-        let Room { bodies, slots, tree } = self.room;
+        let Room { bodies, slots, tree, links, heads } = self.room;
         let bodies = bodies.get_mut(..self.count).unwrap_or_default();
         let slots = slots.get_mut(..self.count).unwrap_or_default();
         let tree = tree.get_mut(..self.count).unwrap_or_default();
+        let links = links.get_mut(..self.count).unwrap_or_default();
         let largest_radius = bodies.iter().fold(S::zero(), |r, b| r.larger(b.radius));
         check_box(&self.boundary, largest_radius)?;
         for body in bodies.iter_mut() {
             body.position = self.boundary.wrap_from_afar(body.position);
         }
         slots.fill(Slot::EMPTY);
-        let scene = Scene {
+        let reach = largest_radius + largest_radius;
+        let grid = Grid::choose(&self.boundary, bodies, reach, heads.len());
+        let mut scene = Scene {
             bodies,
+            cells: Cells::new(grid, heads, links),
             boundary: self.boundary,
             gravity: self.gravity,
             now: S::zero(),
@@ -191,6 +196,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
             release: self.release,
             counters: Counters::default(),
         };
+        scene.fill_cells();
         let queue = Queue::new(slots, tree);
         Ok(World { scene, queue, rule: self.rule, since_epoch: 0, at_once: 0 })
     }
@@ -256,7 +262,8 @@ fn check_box<S: Scalar, const D: usize>(boundary: &Boundary<S, D>, radius: S) ->
 fn check_overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Result<(), Fault> {
     let view = View { scene };
     for (a, body) in scene.bodies.iter().enumerate() {
-        for (b, other) in scene.bodies.iter().enumerate().take(a) {
+        for b in scene.cells.near(body.cell).filter(|&b| b < a) {
+            let Some(other) = scene.body(b) else { continue };
             let reach = body.radius + other.radius;
             let apart = view.separation(a, b).unwrap_or_else(Vector::zeros);
             if apart.dot(&apart) < reach * reach {

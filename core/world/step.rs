@@ -121,7 +121,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         match slot.kind {
             Kind::Meet => apply::meet(&mut self.scene, &self.rule, grain, slot.partner, touched),
             Kind::Release => Ok(apply::release(&mut self.scene, grain, touched)),
-            Kind::Leash | Kind::Nothing => Ok(apply::leash(&mut self.scene, grain, touched)),
+            Kind::Wander | Kind::Nothing => {
+                Ok(apply::wander(&mut self.scene, grain, slot.stamp, touched))
+            }
         }
     }
 
@@ -163,7 +165,6 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let now = self.scene.now - back;
         for body in self.scene.bodies.iter_mut() {
             flight::advance(body, &self.scene.gravity, self.scene.now);
-            body.position = self.scene.boundary.wrap(body.position);
             body.clock = now;
             if body.release_at < S::NEVER {
                 body.release_at -= back;

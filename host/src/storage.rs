@@ -2,6 +2,7 @@
 
 use carom::event::Slot;
 use carom::matter::Body;
+use carom::matter::cells::Link;
 use carom::world::Room;
 use carom::{Lend, Scalar};
 
@@ -24,6 +25,8 @@ pub struct Storage<S: Scalar, const D: usize> {
     bodies: Vec<Body<S, D>>,
     slots: Vec<Slot<S>>,
     tree: Vec<u32>,
+    links: Vec<Link>,
+    heads: Vec<u32>,
 }
 
 impl<S: Scalar, const D: usize> Storage<S, D> {
@@ -34,12 +37,20 @@ impl<S: Scalar, const D: usize> Storage<S, D> {
             bodies: vec![Body::default(); grains],
             slots: vec![Slot::default(); grains],
             tree: vec![0; grains],
+            links: vec![Link::default(); grains],
+            heads: vec![0; grains],
         }
     }
 }
 
 impl<S: Scalar, const D: usize> Lend<S, D> for Storage<S, D> {
     fn lend(&mut self) -> Room<'_, S, D> {
-        Room { bodies: &mut self.bodies, slots: &mut self.slots, tree: &mut self.tree }
+        Room {
+            bodies: &mut self.bodies,
+            slots: &mut self.slots,
+            tree: &mut self.tree,
+            links: &mut self.links,
+            heads: &mut self.heads,
+        }
     }
 }

@@ -68,7 +68,7 @@ fn angular_momentum(release: Release, seed: u64) -> (f64, u64) {
         g.mass * (g.position[0] * g.velocity[1] - g.position[1] * g.velocity[0])
     };
     let start: f64 = grains.iter().map(of).sum();
-    let scale: f64 = grains.iter().map(|g| of(g).abs()).sum();
+    let lever = |g: &carom::Grain<f64, 2>| g.mass * length(&g.position) * length(&g.velocity);
     let mut storage = Storage::new(30);
     let soft = Soft::linear_dashpot(
         carom::law::LinearDashpot { stiffness: 2.0e2, damping: 0.5 },
@@ -82,7 +82,10 @@ fn angular_momentum(release: Release, seed: u64) -> (f64, u64) {
         .start()
         .unwrap();
     while world.step().unwrap().is_some() {}
-    let end: f64 = (0..30).map(|i| of(&world.grain(i).unwrap())).sum();
+    let ended: Vec<_> = (0..30).map(|i| world.grain(i).unwrap()).collect();
+    let end: f64 = ended.iter().map(of).sum();
+    // In units of what is summed up: Σ m |r| |v|.
+    let scale: f64 = ended.iter().map(lever).sum();
     ((end - start).abs() / scale, world.counters().interrupted)
 }
 

@@ -106,7 +106,7 @@ impl<const D: usize> Watch<f64, D> for Log {
             Some(Deed::Contact(_)) => "contact",
             Some(Deed::Release) => "release",
             Some(Deed::Interruption) => "interruption",
-            Some(Deed::Leash) | None => return,
+            Some(Deed::Wander) | None => return,
         };
         self.0.push(Logged {
             time: happening.at.as_f64(),
