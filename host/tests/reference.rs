@@ -12,6 +12,8 @@ mod gas;
 mod input;
 #[path = "reference/invariance.rs"]
 mod invariance;
+#[path = "reference/nothing_missed.rs"]
+mod nothing_missed;
 #[path = "reference/verlet.rs"]
 mod verlet;
 

@@ -53,6 +53,20 @@ pub struct Counters {
 ///
 /// Cost: O(N) per step. Between two lists only the listed pairs are looked at; contact forces
 /// touch only the grains they act on.
+///
+/// # Examples
+///
+/// ```
+/// use carom_host::reference::{Boundary, End, ForceLaw, Grain, System, Verlet, VerletOptions};
+/// let grain = |x: f64, v: f64| Grain { radius: 0.1, mass: 1.0, position: [x], velocity: [v] };
+/// let system = System::new(vec![grain(0.0, 1.0), grain(1.0, -1.0)], [Boundary::Open], [0.0])?;
+/// let law = ForceLaw::LinearDashpot { stiffness: 1e4, damping: 0.0 };
+/// let mut run = Verlet::new(&system, law, End::Force, VerletOptions::default())?;
+/// run.advance_to(1.0)?;
+/// assert_eq!(run.counters().contacts, 1);
+/// assert!((run.velocity(0)[0] + 1.0).abs() < 1e-2);
+/// # Ok::<(), carom_host::reference::ReferenceError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Verlet<const D: usize> {
     positions: Vec<Vector<D>>,
