@@ -24,6 +24,8 @@ enum Command {
     Run(commands::run::Options),
     /// Run a scenario by several methods from the same start and compare what they get.
     Compare(commands::compare::Options),
+    /// Run gases of ten grains until three touch, and show how far event-driven runs are from MD.
+    Divergence(commands::divergence::Options),
     /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
     Collide(commands::collide::Options),
     /// Show what the embedded tables hold and how exact they are.
@@ -41,6 +43,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
     };
     match arguments.command {
         Some(Command::Compare(options)) => commands::compare::run(&options),
+        Some(Command::Divergence(options)) => commands::divergence::run(&options),
         Some(Command::Collide(options)) => commands::collide::run(&options),
         Some(Command::Table(options)) => commands::table::run(&options),
         Some(Command::Run(options)) => commands::run::run(&options),

@@ -66,6 +66,22 @@ pub struct Errors {
     pub by_collision: Vec<Vec<f64>>,
 }
 
+impl Errors {
+    /// The median over all runs that got so far; `collision` counts from 0.
+    #[must_use]
+    pub fn median(&self, collision: usize) -> Option<f64> {
+        let mut list = self.by_collision.get(collision)?.clone();
+        list.sort_by(f64::total_cmp);
+        list.get(list.len() / 2).copied()
+    }
+
+    /// The largest over all runs that got so far; `collision` counts from 0.
+    #[must_use]
+    pub fn largest(&self, collision: usize) -> Option<f64> {
+        self.by_collision.get(collision)?.iter().copied().max_by(f64::total_cmp)
+    }
+}
+
 /// The error and where it comes from.
 #[derive(Debug, thiserror::Error)]
 pub enum DivergenceError {

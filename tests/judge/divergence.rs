@@ -3,13 +3,11 @@
 use carom_host::divergence::{Errors, Way, study};
 
 fn largest(errors: &Errors, collision: usize) -> f64 {
-    errors.by_collision[collision].iter().copied().fold(0.0, f64::max)
+    errors.largest(collision).unwrap_or(0.0)
 }
 
 fn median(errors: &Errors, collision: usize) -> f64 {
-    let mut list = errors.by_collision[collision].clone();
-    list.sort_by(f64::total_cmp);
-    list.get(list.len() / 2).copied().unwrap_or(0.0)
+    errors.median(collision).unwrap_or(0.0)
 }
 
 fn check(seeds: std::ops::Range<u64>) {

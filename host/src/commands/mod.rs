@@ -3,5 +3,6 @@
 pub mod collide;
 pub mod compare;
 pub mod demo;
+pub mod divergence;
 pub mod run;
 pub mod table;

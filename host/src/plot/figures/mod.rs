@@ -1,5 +1,6 @@
 //! Which pictures are there? Reads results; writes scenes.
 
+pub mod divergence;
 pub mod fig6;
 pub mod gas;
 pub mod matrix;
