@@ -1,6 +1,6 @@
 //! Do the certificates hold? Makes carom's tables, tests each at fresh random points (100,000 unless said), prints a table.
 //!
-//! `cargo run --release -p carom-tables --example certify [compact|standard|wide|all] [points]`
+//! `cargo run --release -p carom-tables --example certify [compact|standard|wide|all|wideViscoelastic|…] [points]`
 
 use std::time::Instant;
 
@@ -11,6 +11,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut words = std::env::args().skip(1);
     let which = words.next().unwrap_or_else(|| "all".into());
     let points: usize = words.next().map_or(Ok(100_000), |w| w.parse())?;
+    if which == "plans" {
+        return plans();
+    }
     println!(
         "largest: tau (relative), speed, angle [rad], separation; promised by the certificate / found / 99.9 % of the points"
     );
@@ -21,12 +24,40 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             ("wide", Recipe::wide(law)),
         ];
         for (name, recipe) in recipes {
-            if which == "all" || which.contains(name) {
+            let asked =
+                which.contains(name) && (which == name || which.contains(&format!("{law:?}")));
+            if which == "all" || asked {
                 let start = Instant::now();
                 let made = recipe.generate::<f32>()?;
                 let seconds = start.elapsed().as_secs_f64();
                 report(&format!("{name} {law:?}"), &made, seconds, points);
             }
+        }
+    }
+    Ok(())
+}
+
+/// Searches for the bisections and prints them as `src/recipe/plan.rs` keeps them.
+fn plans() -> Result<(), Box<dyn std::error::Error>> {
+    println!(
+        "//! How are the presets' unit cubes bisected? Reads nothing; writes nothing, keeps what a search found."
+    );
+    println!("//!");
+    println!(
+        "//! Made by `cargo run --release -p carom-tables --example certify plans > tables/src/recipe/plan.rs`."
+    );
+    println!(
+        "//! An unoptimised build script has no time for the search; what a plan gives is certified all the same."
+    );
+    for (law, suffix) in [(Law::LinearDashpot, "LINEAR"), (Law::Viscoelastic, "VISCOELASTIC")] {
+        for (name, recipe) in [("STANDARD", Recipe::standard(law)), ("WIDE", Recipe::wide(law))] {
+            let made = recipe.search().points(100).generate::<f32>()?;
+            println!("\npub(super) const {name}_{suffix}: &str = \"\\");
+            let plan = made.plan().as_bytes();
+            for line in plan.chunks(90) {
+                println!("    {}\\", String::from_utf8_lossy(line));
+            }
+            println!("    \";");
         }
     }
     Ok(())
@@ -41,7 +72,12 @@ fn report(name: &str, made: &Made<f32>, seconds: f64, points: usize) {
         c.terms,
         c.digest
     );
-    println!("  promised  {}   99.9 % {}", row(&c.largest), row(&c.usual));
+    println!(
+        "  promised  {}   99.9 % {}   typical {}",
+        row(&c.largest),
+        row(&c.usual),
+        row(&c.typical)
+    );
     let wide = c.domain.softness_max > 0.3;
     let kinds: &[&str] = if wide { &["tables", "domain"] } else { &["domain", "e<=0.99"] };
     for kind in kinds {
@@ -102,10 +138,10 @@ fn anywhere(made: &Made<f32>, spread: &mut Spread, n: usize, usual: bool) -> Gro
     let d = made.certificate.domain;
     let top = if usual { 0.99 } else { (1.0 - d.cos_min * d.cos_min).sqrt() };
     let u = spread.uniform();
-    let sin = if n % 2 == 0 || usual { u * top } else { top * (1.0 - u.powi(6)) };
+    let sin = if n.is_multiple_of(2) || usual { u * top } else { top * (1.0 - u.powi(6)) };
     let cos = ((1.0 - sin) * (1.0 + sin)).sqrt().max(d.cos_min);
     let soft = spread.uniform().powi(if d.softness_max > 1.0 { 3 } else { 1 });
-    let c_dis = if d.c_dis_max > 1.5 && n % 3 > 0 {
+    let c_dis = if d.c_dis_max > 1.5 && !n.is_multiple_of(3) {
         spread.logarithmic(1e-4, d.c_dis_max)
     } else {
         d.c_dis_max * spread.uniform().powi(1 + (n % 2) as i32)

@@ -12,7 +12,7 @@ pub(super) struct Check {
 }
 
 /// Check points of one box.
-const CHECKS: usize = 48;
+const CHECKS: usize = 80;
 
 impl Check {
     /// Corners, faces and the inside of a box, as far as they lie in the domain.
@@ -22,7 +22,7 @@ impl Check {
         for n in 0..4 * CHECKS {
             let y = place(n, &mut spread);
             let groups = ask.frame.groups(cube.at(y));
-            if inside(&ask.domain, groups) {
+            if inside(&ask.checked, groups) {
                 let basis = y.map(chebyshev);
                 checks.push(Check { groups, outcome: outcome(ask, groups), basis });
             }
@@ -82,7 +82,10 @@ pub(super) fn errors(ask: &Ask, direct: bool, columns: &[Column; 3], checks: &[C
         let values = columns.each_ref().map(|c| c.value(&check.basis));
         let got = ask.frame.unscale(check.groups, turn(check.groups), direct, values);
         let [tau, speed, angle] = check.outcome;
-        let error = [(got[0] / tau - 1.0).abs(), (got[1] - speed).abs(), (got[2] - angle).abs()];
+        // The separation is 1 - c_dis eta speed.
+        let pull = (check.groups[1] * check.groups[2]).max(1.0);
+        let error =
+            [(got[0] / tau - 1.0).abs(), pull * (got[1] - speed).abs(), (got[2] - angle).abs()];
         for (w, e) in worst.iter_mut().zip(error) {
             *w = if e > *w { e } else { *w };
             if e.is_nan() {

@@ -33,6 +33,10 @@ pub(crate) struct Ask {
     pub precise: bool,
     /// Typical collisions in the unit cube; empty: all are equally typical.
     pub typical: Vec<[f64; 3]>,
+    /// Where the check points of the leaves lie: a little more than the domain.
+    pub checked: Domain,
+    /// The bisection, if an earlier search is to be repeated: see [`Fit::plan`].
+    pub plan: Option<&'static str>,
 }
 
 /// The tree in double precision.
@@ -46,6 +50,9 @@ pub(crate) struct Fit {
     pub cubes: Vec<Cube>,
     /// The largest leaf.
     pub terms: usize,
+    /// What the search has decided, depth first: `0`, `1`, `2` bisects that axis, three letters
+    /// are a leaf and its nodes along the axes (`a` is none, `b` one, ...).
+    pub plan: String,
 }
 
 /// A box in the unit cube.
@@ -75,20 +82,28 @@ impl Cube {
     }
 }
 
-/// The whole unit cube, bisected until every leaf keeps the goal.
+/// The whole unit cube, bisected until every leaf keeps the goal, or as planned.
 pub(crate) fn fit(ask: &Ask) -> Fit {
     let mut fit = Fit::default();
     let cube = Cube { low: [0.0; 3], size: [1.0; 3] };
-    grow(ask, cube, ask.typical.clone(), 0, &mut fit);
+    match ask.plan {
+        Some(plan) => follow_plan(ask, cube, ask.typical.clone(), &mut plan.bytes(), &mut fit),
+        None => search(ask, cube, ask.typical.clone(), 0, &mut fit),
+    };
     fit
 }
 
 /// How far bisection may go.
 const DEPTH: usize = 24;
 
+/// Where typical collisions are rare the goal is loose.
+fn goal(ask: &Ask, typical: &[[f64; 3]]) -> f64 {
+    if ask.typical.is_empty() || typical.len() > 1 { ask.goal } else { ask.loose }
+}
+
 /// Fits one box: more nodes along the slowest axis while that pays, else two halves.
-fn grow(ask: &Ask, cube: Cube, typical: Vec<[f64; 3]>, depth: usize, fit: &mut Fit) -> i16 {
-    let goal = if ask.typical.is_empty() || typical.len() > 1 { ask.goal } else { ask.loose };
+fn search(ask: &Ask, cube: Cube, typical: Vec<[f64; 3]>, depth: usize, fit: &mut Fit) -> i16 {
+    let goal = goal(ask, &typical);
     let checks = Check::of(ask, &cube);
     let mut nodes = ask.start;
     let mut trial = Trial::new(ask, &cube, nodes, goal, &checks);
@@ -96,11 +111,42 @@ fn grow(ask: &Ask, cube: Cube, typical: Vec<[f64; 3]>, depth: usize, fit: &mut F
         let axis = trial.slowest();
         let hopeless = trial.error > ask.patience * goal || trial.count > ask.limit;
         if hopeless || nodes[axis] + 2 > MAX_TERMS {
-            return split(ask, cube, axis, typical, depth, fit);
+            fit.plan.push((b'0' + axis as u8) as char);
+            return split(cube, axis, typical, fit, |cube, typical, fit| {
+                search(ask, cube, typical, depth + 1, fit)
+            });
         }
         nodes[axis] += 2;
         trial = Trial::new(ask, &cube, nodes, goal, &checks);
     }
+    keep(ask, cube, &trial, fit)
+}
+
+/// Repeats what a search has decided; a plan that breaks off gives small leaves.
+fn follow_plan(
+    ask: &Ask,
+    cube: Cube,
+    typical: Vec<[f64; 3]>,
+    plan: &mut std::str::Bytes<'static>,
+    fit: &mut Fit,
+) -> i16 {
+    let order = plan.next().unwrap_or(b'c');
+    if (b'0'..=b'2').contains(&order) {
+        fit.plan.push(order as char);
+        return split(cube, (order - b'0') as usize, typical, fit, |cube, typical, fit| {
+            follow_plan(ask, cube, typical, plan, fit)
+        });
+    }
+    let mut number = |letter: u8| usize::from(letter.saturating_sub(b'a')).clamp(2, MAX_TERMS);
+    let nodes = [order, plan.next().unwrap_or(b'c'), plan.next().unwrap_or(b'c')].map(&mut number);
+    let goal = goal(ask, &typical);
+    let trial = Trial::new(ask, &cube, nodes, goal, &Check::of(ask, &cube));
+    keep(ask, cube, &trial, fit)
+}
+
+/// Stores a leaf; gives its number as a branch names it.
+fn keep(ask: &Ask, cube: Cube, trial: &Trial, fit: &mut Fit) -> i16 {
+    fit.plan.extend(trial.columns[0].n.map(|n| (b'a' + n as u8) as char));
     fit.terms = fit.terms.max(trial.count);
     fit.cubes.push(cube);
     let leaf = column::store(&trial.columns, direct(ask, &cube), fit);
@@ -108,20 +154,20 @@ fn grow(ask: &Ask, cube: Cube, typical: Vec<[f64; 3]>, depth: usize, fit: &mut F
     !(fit.leaves.len() as i16 - 1)
 }
 
+/// Bisects a box and goes on with both halves.
 fn split(
-    ask: &Ask,
     cube: Cube,
     axis: usize,
     typical: Vec<[f64; 3]>,
-    depth: usize,
     fit: &mut Fit,
+    mut go_on: impl FnMut(Cube, Vec<[f64; 3]>, &mut Fit) -> i16,
 ) -> i16 {
     let here = fit.branches.len();
     fit.branches.push(Branch { axis: axis as u8, low: 0, high: 0 });
     let lower = cube.half(axis, false);
     let (below, above) = typical.into_iter().partition(|y| lower.holds(y));
-    fit.branches[here].low = grow(ask, lower, below, depth + 1, fit);
-    fit.branches[here].high = grow(ask, cube.half(axis, true), above, depth + 1, fit);
+    fit.branches[here].low = go_on(lower, below, fit);
+    fit.branches[here].high = go_on(cube.half(axis, true), above, fit);
     here as i16
 }
 

@@ -18,8 +18,10 @@ pub struct Certificate {
     /// Largest error: `tau` relative, the others absolute, `angle` in radians.
     /// The largest that was found, in single and in double precision, times `margin`.
     pub largest: Scaled<f64>,
-    /// Largest error that 99.9 % of typical collisions stay below: for a wide table those drawn
-    /// log-uniformly from MP13's Tables I and II, else those uniform in the domain.
+    /// Largest error at typical collisions, times `margin`: those drawn log-uniformly from MP13's
+    /// Tables I and II for a wide table, else those uniform in the domain.
+    pub typical: Scaled<f64>,
+    /// The error that 99.9 % of the typical collisions stay below, as measured.
     pub usual: Scaled<f64>,
     /// Number of points at which it was measured; the fit saw none of them.
     pub points: usize,

@@ -115,7 +115,7 @@ fn rate<S: Real>(law: Law, kappa: S, c_dis: S) -> S {
 fn deepest<S: Real>(c_dis: S) -> S {
     let one: S = number(1.0);
     let part = number::<S>(0.2726) * c_dis;
-    (one + part) / (one + part + c_dis * (number::<S>(0.7854) + part))
+    (one + part) / (one + part + c_dis * (number::<S>(core::f32::consts::FRAC_PI_4) + part))
 }
 
 /// The duration of a contact that damping or centrifugal push ends: `ln(1 + y)/rate`, with

@@ -107,7 +107,7 @@ impl<C: Stored> Body<'_, C> {
 /// ```
 /// use carom_tables::{Groups, Law, Recipe, Table};
 /// # #[cfg(feature = "generate")] {
-/// let made = Recipe::compact(Law::LinearDashpot).generate().unwrap();
+/// let made = Recipe::compact(Law::LinearDashpot).generate::<f32>().unwrap();
 /// let hit = Groups { sin: 0.6, cos: 0.8, eta: 0.05, c_dis: 0.1 };
 /// let after = made.body().read(&hit).unwrap();
 /// assert!(after.speed < 1.0 && after.angle > 0.0);

@@ -40,7 +40,7 @@ fn certificate<C: Store>(out: &mut String, made: &Made<C>, form: &str) {
     let _ = writeln!(
         out,
         "certificate: {form}::Certificate {{ law: {form}::Law::{:?}, end: {form}::End::{:?}, \
-         domain: {form}::{:?}, bytes: {}, terms: {}, largest: {}, usual: {}, points: {}, \
+         domain: {form}::{:?}, bytes: {}, terms: {}, largest: {}, typical: {}, usual: {}, points: {}, \
          margin: {:?}, digest: {:#018x}, citation: {:?} }},",
         c.law,
         c.end,
@@ -48,6 +48,7 @@ fn certificate<C: Store>(out: &mut String, made: &Made<C>, form: &str) {
         c.bytes,
         c.terms,
         scaled(&c.largest, form),
+        scaled(&c.typical, form),
         scaled(&c.usual, form),
         c.points,
         c.margin,

@@ -60,6 +60,7 @@ pub struct Made<C> {
     rows: Vec<u8>,
     coefficients: Vec<C>,
     pub(super) cubes: Vec<Cube>,
+    plan: String,
 }
 
 impl<C: Store> Made<C> {
@@ -80,9 +81,15 @@ impl<C: Store> Made<C> {
             rows: fit.rows,
             coefficients: fit.coefficients.into_iter().map(C::from_f64).collect(),
             cubes: fit.cubes,
+            plan: fit.plan,
         };
         made.certificate = certify::certify(ask, &made, points);
         made
+    }
+
+    /// The bisection, as the presets keep it.
+    pub fn plan(&self) -> &str {
+        &self.plan
     }
 
     /// The data, to read from.

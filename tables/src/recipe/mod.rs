@@ -4,6 +4,7 @@ mod certify;
 mod emit;
 mod error;
 mod made;
+mod plan;
 mod preset;
 pub mod range;
 pub mod spread;
@@ -39,12 +40,14 @@ pub struct Recipe {
     number: Number,
     form: String,
     tables: bool,
+    plan: Option<&'static str>,
 }
 
 impl Recipe {
     /// When the contact ends; [`End::Force`] unless said.
     #[must_use]
     pub fn end(mut self, end: End) -> Self {
+        self.plan = None;
         self.end = end;
         self
     }
@@ -52,6 +55,8 @@ impl Recipe {
     /// Largest `eta / cos(alpha)`: one over the smallest `l~ cos(alpha)`.
     #[must_use]
     pub fn softness_max(mut self, softness_max: f64) -> Self {
+        self.plan = None;
+        self.tables = false;
         self.domain.softness_max = softness_max;
         self
     }
@@ -59,6 +64,8 @@ impl Recipe {
     /// Largest `c_dis`.
     #[must_use]
     pub fn c_dis_max(mut self, c_dis_max: f64) -> Self {
+        self.plan = None;
+        self.tables = false;
         self.domain.c_dis_max = c_dis_max;
         self
     }
@@ -66,6 +73,7 @@ impl Recipe {
     /// Smallest `cos(alpha)`; the presets of the stiff domain reach 1e-6.
     #[must_use]
     pub fn cos_min(mut self, cos_min: f64) -> Self {
+        self.plan = None;
         self.domain.cos_min = cos_min;
         self
     }
@@ -73,6 +81,7 @@ impl Recipe {
     /// The error that the fit aims at: relative for the duration, absolute for speed and angle.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.plan = None;
         self.loose *= tolerance / self.tolerance;
         self.tolerance = tolerance;
         self
@@ -81,6 +90,7 @@ impl Recipe {
     /// Raise the tolerance until the table has at most this many bytes.
     #[must_use]
     pub fn bytes_max(mut self, bytes: usize) -> Self {
+        self.plan = None;
         self.bytes_max = Some(bytes);
         self
     }
@@ -88,6 +98,7 @@ impl Recipe {
     /// Most coefficients that one reading may touch (all three columns): bytes against speed.
     #[must_use]
     pub fn terms_max(mut self, terms: usize) -> Self {
+        self.plan = None;
         self.limit = terms;
         self
     }
@@ -110,6 +121,13 @@ impl Recipe {
     #[must_use]
     pub fn form_path(mut self, path: &str) -> Self {
         self.form = path.into();
+        self
+    }
+
+    /// Forget the bisection that came with a preset and search for one.
+    #[must_use]
+    pub fn search(mut self) -> Self {
+        self.plan = None;
         self
     }
 
@@ -196,7 +214,11 @@ impl Recipe {
             kappa_scale: scale,
             softness: round(self.domain.softness_max),
             c_dis: round(self.domain.c_dis_max),
-            bend: scale,
+            bend: match self.law {
+                _ if !wide => scale,
+                Law::LinearDashpot => 0.2,
+                Law::Viscoelastic => 0.0,
+            },
         };
         let mut domain = self.domain;
         if !self.tables {
@@ -217,6 +239,8 @@ impl Recipe {
             patience: if wide { 40.0 } else { 1e5 },
             precise: C::PRECISE,
             typical,
+            checked: Domain { cos_min: domain.cos_min * if wide { 0.5 } else { 1.0 }, ..domain },
+            plan: self.plan,
         }
     }
 }

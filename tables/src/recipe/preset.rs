@@ -1,13 +1,13 @@
 //! Which tables does carom itself carry? Reads the law; writes a recipe.
 
-use super::{Number, Recipe};
+use super::{Number, Recipe, plan};
 use crate::form::{Domain, End, Law};
 
 impl Recipe {
     /// The smallest table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 1e-4.
     #[must_use]
     pub fn compact(law: Law) -> Self {
-        Recipe { tolerance: 5e-5, points: 6_000, limit: 400, ..Self::standard(law) }
+        Recipe { tolerance: 5e-5, points: 6_000, limit: 400, plan: None, ..Self::standard(law) }
     }
 
     /// The usual table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 3e-7.
@@ -32,36 +32,52 @@ impl Recipe {
             number: Number::F32,
             form: "::carom_tables::form".into(),
             tables: false,
+            plan: Some(match law {
+                Law::LinearDashpot => plan::STANDARD_LINEAR,
+                Law::Viscoelastic => plan::STANDARD_VISCOELASTIC,
+            }),
         }
     }
 
     /// All of MP13's Table I (linear) or Table II (viscoelastic), and more grazing collisions.
     #[must_use]
     pub fn wide(law: Law) -> Self {
-        let domain = match law {
-            Law::LinearDashpot => Domain {
-                softness_max: 10.32,
-                c_dis_max: 56.0,
-                cos_min: 0.01,
-                sin_min: 0.0099,
-                stick_max: 16.0,
-            },
-            Law::Viscoelastic => Domain {
-                softness_max: 0.7,
-                c_dis_max: 5e6,
-                cos_min: 0.01,
-                sin_min: 0.0,
-                stick_max: 5e6,
-            },
+        let (tolerance, loose, domain) = match law {
+            Law::LinearDashpot => (
+                9e-4,
+                7e-3,
+                Domain {
+                    softness_max: 10.32,
+                    c_dis_max: 56.0,
+                    cos_min: 0.02,
+                    sin_min: 0.0099,
+                    stick_max: 16.0,
+                },
+            ),
+            Law::Viscoelastic => (
+                2e-4,
+                1.5e-3,
+                Domain {
+                    softness_max: 0.7,
+                    c_dis_max: 5e6,
+                    cos_min: 0.02,
+                    sin_min: 0.0,
+                    stick_max: 18_800.0,
+                },
+            ),
         };
         Recipe {
             domain,
             wide: true,
-            tolerance: 5e-4,
-            loose: 5e-3,
+            tolerance,
+            loose,
             limit: 300,
             points: 30_000,
             tables: true,
+            plan: Some(match law {
+                Law::LinearDashpot => plan::WIDE_LINEAR,
+                Law::Viscoelastic => plan::WIDE_VISCOELASTIC,
+            }),
             ..Self::standard(law)
         }
     }
