@@ -17,7 +17,7 @@ pub fn draw(study: &[Errors], runs: usize) -> Scene {
     let panel = Panel {
         place: Rect { x: 64.0, y: 48.0, width: 380.0, height: 280.0 },
         x: Axis::with_ticks(0.5, collisions as f64 + 0.5, ticks),
-        y: Axis::logarithmic(1e-16, 1e2),
+        y: Axis::logarithmic(1e-20, 1e2),
     };
     let mut legend = Vec::new();
     for errors in study {
@@ -35,7 +35,7 @@ pub fn draw(study: &[Errors], runs: usize) -> Scene {
     panel.labels(&mut scene, "collision number", "distance from exact MD [*l*]", 44.0);
     panel.title(&mut scene, "positions of free grains: median (solid), largest (dotted)");
     let legend: Vec<_> = legend.iter().map(|(text, pen)| (text.as_str(), *pen)).collect();
-    panel.legend(&mut scene, [310.0, 270.0], &legend);
+    panel.legend(&mut scene, [300.0, 284.0], &legend);
     scene
 }
 
