@@ -1,6 +1,6 @@
 //! Does MP13's Fig. 6 come out? Reads the reference's path of two soft grains; checks eMD* and eMD after the contact.
 
-use carom::law::{Central, LinearDashpot, Rule};
+use carom::law::{Central, LinearDashpot, Outside, Rule, Soft, tables};
 use carom::{Grain, Memory, World};
 use carom_host::integrated::Integrated;
 use serde_json::Value;
@@ -76,6 +76,15 @@ fn integrated_it_is_the_md_path() {
     let path = reference();
     let worst = off(Integrated::new(LAW), &path);
     assert!(worst < 1e-9, "{worst:e} l");
+}
+
+#[test]
+fn with_the_wide_table_it_is_the_md_path_within_a_millionth() {
+    let path = reference();
+    let rule = Soft::with_table(LAW, &tables::wide::LINEAR_DASHPOT, Outside::Reject);
+    let worst = off(rule, &path);
+    println!("wide table: {worst:e} l");
+    assert!(worst < 1e-6, "{worst:e} l");
 }
 
 #[test]
