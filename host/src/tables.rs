@@ -1,8 +1,9 @@
-//! Which tables does the program look up? Reads the embedded tables; writes nothing, returns coefficients.
+//! Which tables does the program look up? Reads the embedded tables, or makes one; writes nothing, returns coefficients.
 
 use crate::collide::Restitution;
-use anyhow::{Result, bail};
-use carom::law::tables as embedded;
+use anyhow::{Context, Result};
+use carom::law::tables::{self, Stored};
+use carom_tables::recipe::{Made, Recipe};
 use carom_tables::{End, Groups, Law, Scaled, Table};
 use clap::ValueEnum;
 use serde::Deserialize;
@@ -33,43 +34,68 @@ impl Size {
     }
 }
 
-/// One table a law.
+/// An embedded table; its contacts end when the force vanishes.
+pub fn embedded(size: Size, law: Law) -> &'static Table<Stored> {
+    match (size, law) {
+        (Size::Compact, Law::LinearDashpot) => &tables::compact::LINEAR_DASHPOT,
+        (Size::Compact, Law::Viscoelastic) => &tables::compact::VISCOELASTIC,
+        (Size::Standard, Law::LinearDashpot) => &tables::standard::LINEAR_DASHPOT,
+        (Size::Standard, Law::Viscoelastic) => &tables::standard::VISCOELASTIC,
+        (Size::Wide, Law::LinearDashpot) => &tables::wide::LINEAR_DASHPOT,
+        (Size::Wide, Law::Viscoelastic) => &tables::wide::VISCOELASTIC,
+    }
+}
+
+/// The embedded tables of one size.
 #[derive(Clone, Copy, Debug)]
-pub struct Tables {
-    linear: &'static Table<f32>,
-    viscoelastic: &'static Table<f32>,
-}
+pub struct Embedded(
+    /// Which size.
+    pub Size,
+);
 
-impl Tables {
-    /// The tables of one size.
-    ///
-    /// # Errors
-    /// When there is no table of that size.
-    pub fn new(size: Size, end: End) -> Result<Self> {
-        match (size, end) {
-            (Size::Standard, End::Force) => Ok(Self {
-                linear: &embedded::standard::LINEAR_DASHPOT,
-                viscoelastic: &embedded::standard::VISCOELASTIC,
-            }),
-            _ => bail!("no {} table for this end of contact", size.name()),
-        }
-    }
-
-    /// The table of one law.
-    pub fn table(&self, law: Law) -> &'static Table<f32> {
-        match law {
-            Law::LinearDashpot => self.linear,
-            Law::Viscoelastic => self.viscoelastic,
-        }
-    }
-}
-
-impl Restitution for Tables {
+impl Restitution for Embedded {
     fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<Scaled<f64>> {
-        self.table(law).read(groups)
+        embedded(self.0, law).read(groups)
     }
 
     fn clamp(&self, law: Law, groups: &Groups<f64>) -> Groups<f64> {
-        self.table(law).clamp(groups)
+        embedded(self.0, law).clamp(groups)
+    }
+}
+
+/// Tables that are made when they are asked for.
+#[derive(Clone, Debug)]
+pub struct Generated(Vec<(Law, Made<f32>)>);
+
+impl Generated {
+    /// Makes a table of this size for each of the laws.
+    ///
+    /// # Errors
+    /// When there is no such table.
+    pub fn new(size: Size, end: End, laws: &[Law]) -> Result<Self> {
+        let recipe = match size {
+            Size::Compact => Recipe::compact,
+            Size::Standard => Recipe::standard,
+            Size::Wide => Recipe::wide,
+        };
+        let make = |law: &Law| {
+            let made = recipe(*law).end(end).generate();
+            Ok((*law, made.with_context(|| format!("no {} table", size.name()))?))
+        };
+        Ok(Self(laws.iter().map(make).collect::<Result<_>>()?))
+    }
+
+    fn made(&self, law: Law) -> Option<&Made<f32>> {
+        self.0.iter().find(|(known, _)| *known == law).map(|(_, made)| made)
+    }
+}
+
+impl Restitution for Generated {
+    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<Scaled<f64>> {
+        self.made(law)?.body().read(groups)
+    }
+
+    fn clamp(&self, law: Law, groups: &Groups<f64>) -> Groups<f64> {
+        self.made(law).map_or(*groups, |made| made.body().domain.clamp(groups))
     }
 }

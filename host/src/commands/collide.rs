@@ -1,9 +1,9 @@
 //! `carom collide`: what do the listed collisions lead to? Reads a CSV file; writes CSV to standard output.
 
 use crate::collide::{self, Integrated, Restitution, case};
-use crate::tables::{Size, Tables};
+use crate::tables::{Embedded, Generated, Size};
 use anyhow::{Context, Result};
-use carom_tables::End;
+use carom_tables::{End, Law};
 use clap::{Args, ValueEnum};
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -60,7 +60,8 @@ pub fn run(options: &Options) -> Result<()> {
     };
     let source: Box<dyn Restitution> = match options.with {
         With::Integrate => Box::new(Integrated(end)),
-        With::Table => Box::new(Tables::new(options.table, end)?),
+        With::Table if end == End::Force => Box::new(Embedded(options.table)),
+        With::Table => Box::new(Generated::new(options.table, end, &laws(&cases))?),
     };
     let clamp = options.outside.is_some();
     let outcomes: Vec<_> =
@@ -69,4 +70,15 @@ pub fn run(options: &Options) -> Result<()> {
     collide::write(&mut sink, &cases, &outcomes)?;
     sink.flush()?;
     Ok(())
+}
+
+/// The laws that occur.
+fn laws(cases: &[case::Case]) -> Vec<Law> {
+    let mut laws = Vec::new();
+    for case in cases {
+        if !laws.contains(&case.contact.law()) {
+            laws.push(case.contact.law());
+        }
+    }
+    laws
 }

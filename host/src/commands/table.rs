@@ -2,7 +2,7 @@
 
 use crate::plot::figures::matrix;
 use crate::plot::{self, Scene};
-use crate::tables::{Size, Tables};
+use crate::tables::{Size, embedded};
 use anyhow::Result;
 use carom_tables::{Certificate, End, Law, Scaled};
 use clap::Args;
@@ -29,8 +29,9 @@ pub struct Options {
 /// # Errors
 /// A file that cannot be written.
 pub fn run(options: &Options) -> Result<()> {
+    options.plot.as_deref().map(plot::ending).transpose()?;
     let mut sink = BufWriter::new(std::io::stdout().lock());
-    let certified = certified()?;
+    let certified = certified();
     if options.json {
         serde_json::to_writer_pretty(&mut sink, &certified)?;
         writeln!(sink)?;
@@ -39,7 +40,6 @@ pub fn run(options: &Options) -> Result<()> {
     }
     sink.flush()?;
     if let Some(file) = &options.plot {
-        plot::ending(file)?;
         match options.figure {
             Some(number) => plot::save(&figure(number), file)?,
             None => {
@@ -60,11 +60,14 @@ struct Certified {
     end: &'static str,
     bytes: usize,
     domain: Reach,
-    /// Largest error at any of the points.
+    /// Coefficients that one reading touches at most.
+    terms: usize,
+    /// Largest error at any of the points, times `margin`.
     largest: Errors,
     /// The error that 99.9 % of the points stay below.
     usual: Errors,
     points: usize,
+    margin: f64,
     digest: String,
     citation: &'static str,
 }
@@ -76,6 +79,10 @@ struct Reach {
     c_dis_max: f64,
     /// Largest eccentricity.
     eccentricity_max: f64,
+    /// Smallest eccentricity where l~ < 2: there a central pair may pass through.
+    eccentricity_min: f64,
+    /// Largest c_dis / (l~ cos(alpha)).
+    stick_max: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -95,15 +102,12 @@ impl Errors {
     }
 }
 
-fn certified() -> Result<Vec<Certified>> {
-    let mut all = Vec::new();
-    for size in Size::ALL {
-        let Ok(tables) = Tables::new(size, End::Force) else { continue };
-        for (law, name) in [(Law::LinearDashpot, "lsd"), (Law::Viscoelastic, "viscoelastic")] {
-            all.push(certificate(size, name, &tables.table(law).certificate));
-        }
-    }
-    Ok(all)
+fn certified() -> Vec<Certified> {
+    let laws = [(Law::LinearDashpot, "lsd"), (Law::Viscoelastic, "viscoelastic")];
+    let each = |size: Size| {
+        laws.map(|(law, name)| certificate(size, name, &embedded(size, law).certificate))
+    };
+    Size::ALL.into_iter().flat_map(each).collect()
 }
 
 fn certificate(size: Size, law: &'static str, c: &Certificate) -> Certified {
@@ -116,14 +120,18 @@ fn certificate(size: Size, law: &'static str, c: &Certificate) -> Certified {
             End::Overlap => "overlap",
         },
         bytes: c.bytes,
+        terms: c.terms,
         domain: Reach {
             stiffness_min: 1.0 / c.domain.softness_max,
             c_dis_max: c.domain.c_dis_max,
             eccentricity_max: ((1.0 - cos) * (1.0 + cos)).sqrt(),
+            eccentricity_min: c.domain.sin_min,
+            stick_max: c.domain.stick_max,
         },
         largest: Errors::new(&c.largest),
         usual: Errors::new(&c.usual),
         points: c.points,
+        margin: c.margin,
         digest: format!("{:016x}", c.digest),
         citation: c.citation,
     }

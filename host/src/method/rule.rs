@@ -3,10 +3,10 @@
 use crate::integrated::Integrated;
 use crate::reference;
 use crate::scenario::{LawSpec, MatrixSpec, MethodName, OutsideSpec, Scenario};
-use crate::tables::Tables;
+use crate::tables::embedded;
 use anyhow::{Result, bail};
 use carom::law::{Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
-use carom_tables::{End, Law};
+use carom_tables::Law;
 
 /// The collision rule of an event-driven method.
 ///
@@ -25,8 +25,7 @@ pub fn rule(name: MethodName, scenario: &Scenario) -> Result<Box<dyn Rule<f64>>>
             Ok(match scenario.options.matrix {
                 MatrixSpec::Integrate => chosen(name, Integrated::new(law)),
                 MatrixSpec::Table => {
-                    let table = Tables::new(scenario.options.table, End::Force)?;
-                    let table = table.table(Law::LinearDashpot);
+                    let table = embedded(scenario.options.table, Law::LinearDashpot);
                     chosen(name, Soft::with_table(law, table, outside(scenario)))
                 }
             })
@@ -36,8 +35,7 @@ pub fn rule(name: MethodName, scenario: &Scenario) -> Result<Box<dyn Rule<f64>>>
             Ok(match scenario.options.matrix {
                 MatrixSpec::Integrate => chosen(name, Integrated::new(law)),
                 MatrixSpec::Table => {
-                    let table = Tables::new(scenario.options.table, End::Force)?;
-                    let table = table.table(Law::Viscoelastic);
+                    let table = embedded(scenario.options.table, Law::Viscoelastic);
                     chosen(name, Soft::with_table(law, table, outside(scenario)))
                 }
             })

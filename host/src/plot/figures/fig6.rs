@@ -39,7 +39,8 @@ pub fn draw(scenario: &Scenario) -> Result<Scene> {
         let panel = Panel { place, x: Axis::linear(-0.25, 0.5, 8), y };
         discs(&mut scene, &panel, &md, &start);
         show(&mut scene, &panel, &md, Stroke::solid(colour::MD, 3.0), [1.0, -1.0]);
-        show(&mut scene, &panel, &paths(name)?, Stroke::solid(colour, 1.4), [1.0, 1.0]);
+        let sides = if number == 0 { [1.0, 1.0] } else { [-1.0, 1.0] };
+        show(&mut scene, &panel, &paths(name)?, Stroke::solid(colour, 1.4), sides);
         panel.frame(&mut scene);
         panel.labels(&mut scene, "*x* [m]", if number == 0 { "*y* [m]" } else { "" }, 38.0);
         let title = format!("{} and {}", MethodName::Md.label(), name.label().replace('*', "∗"));
