@@ -27,6 +27,7 @@ macro_rules! float {
         impl Scalar for $t {
             // Finite, so that it survives every serialisation format.
             const NEVER: Self = <$t>::MAX;
+            const RESOLUTION: Self = <$t>::EPSILON;
             const EVENTS_PER_EPOCH: u32 = $per_epoch;
 
             fn is_number(self) -> bool {

@@ -40,6 +40,8 @@ pub trait Scalar:
 {
     /// A time that no event reaches.
     const NEVER: Self;
+    /// The relative distance of neighbouring values near one.
+    const RESOLUTION: Self;
     /// After how many events per grain the clock is set back, see [`crate::world::World`].
     const EVENTS_PER_EPOCH: u32;
 
