@@ -54,3 +54,76 @@ fn integrated_answers_are_within_1e_9_of_the_reference() {
         }
     }
 }
+
+/// Every answer inside a table's domain keeps the table's certificate, which `carom table --json`
+/// prints; every law has such rows.
+#[test]
+fn table_answers_are_within_their_certificates() {
+    let output = carom(&["table", "--json"]);
+    let tables: Vec<serde_json::Value> = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(tables.len(), 6);
+    for table in &tables {
+        let name = table["table"].as_str().expect("a name");
+        let (got, expected) = both(&["--with", "table", "--table", name]);
+        let promised = |column: &str| table["largest"][column].as_f64().expect("a number");
+        let mut inside = 0;
+        for (got, expected) in got.iter().zip(&expected) {
+            if expected["law"] != table["law"].as_str().expect("a law") || got["status"] != "ok" {
+                continue;
+            }
+            inside += 1;
+            let id = &expected["id"];
+            let off = (number(got, "eps_t") / number(expected, "eps_t") - 1.0).abs();
+            assert!(off <= promised("eps_t"), "{name} {id} eps_t: {off}");
+            for (column, in_json) in ABSOLUTE.into_iter().zip(["eps_r", "eps_rdot", "eps_phi"]) {
+                let off = (number(got, column) - number(expected, column)).abs();
+                assert!(off <= promised(in_json), "{name} {id} {column}: {off}");
+            }
+        }
+        let least = if name == "wide" { 80 } else { 20 };
+        assert!(inside >= least, "{name}: only {inside} rows inside the domain");
+    }
+}
+
+#[test]
+fn outside_is_empty_unless_clamped() {
+    let (plain, _) = both(&["--table", "compact"]);
+    let (clamped, _) = both(&["--table", "compact", "--outside", "clamp"]);
+    assert!(plain.iter().any(|row| row["status"] == "outside"));
+    for (plain, clamped) in plain.iter().zip(&clamped) {
+        assert_eq!(plain["status"], clamped["status"]);
+        if plain["status"] == "outside" {
+            assert_eq!(plain["eps_t"], "");
+            assert!(number(clamped, "eps_t") > 0.0);
+        } else {
+            assert_eq!(plain, clamped);
+        }
+    }
+}
+
+/// Luding et al. (1994): a linear contact that ends at zero overlap lasts π/√(ω0² − μ²) and keeps
+/// exp(−πμ/√(ω0² − μ²)) of its speed; with μ = γ/(2 m_eff).
+#[test]
+fn a_central_contact_that_ends_at_zero_overlap_is_the_closed_form() {
+    let folder = tempfile::tempdir().expect("a temporary directory");
+    let file = folder.path().join("cases.csv");
+    let (stiffness, damping, mass) = (1.0e5, 20.0, 0.5f64);
+    let row = format!("a,lsd,{stiffness},{damping},,,,0.1,0.1,1,1,0.2,0");
+    std::fs::write(&file, format!("id,law,k,gamma,Y,nu,A,R1,R2,m1,m2,v,e\n{row}\n"))
+        .expect("a file");
+    let file = file.to_str().expect("a path in UTF-8");
+    let mu = damping / (2.0 * mass);
+    let omega = (stiffness / mass - mu * mu).sqrt();
+    let wanted = [std::f64::consts::PI / omega, -(-std::f64::consts::PI * mu / omega).exp()];
+    for (with, tolerance) in [("integrate", 1e-11), ("table", 1e-3)] {
+        let output =
+            carom(&["collide", file, "--end", "overlap", "--with", with, "--table", "compact"]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let rows = rows(&output.stdout);
+        for (column, wanted) in ["tau", "eps_rdot"].into_iter().zip(wanted) {
+            let off = number(&rows[0], column) / wanted - 1.0;
+            assert!(off.abs() < tolerance, "{with} {column}: {off}");
+        }
+        assert_eq!(number(&rows[0], "one_minus_eps_r"), 0.0);
+    }
+}

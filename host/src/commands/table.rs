@@ -2,6 +2,7 @@
 
 use crate::plot::figures::matrix;
 use crate::plot::{self, Scene};
+use crate::report::write_aligned;
 use crate::tables::{Size, embedded};
 use anyhow::Result;
 use carom_tables::{Certificate, End, Law, Scaled};
@@ -100,6 +101,10 @@ impl Errors {
         let Scaled { tau, speed, angle, separation } = *scaled;
         Self { eps_t: tau, eps_rdot: speed, eps_r: separation, eps_phi: angle }
     }
+
+    fn texts(&self) -> [String; 4] {
+        [self.eps_t, self.eps_rdot, self.eps_r, self.eps_phi].map(|error| format!("{error:.1e}"))
+    }
 }
 
 fn certified() -> Vec<Certified> {
@@ -137,45 +142,45 @@ fn certificate(size: Size, law: &'static str, c: &Certificate) -> Certified {
     }
 }
 
+const HEAD: [&str; 12] = [
+    "table",
+    "law",
+    "errors",
+    "eps_t",
+    "eps_rdot",
+    "eps_r",
+    "eps_phi",
+    "bytes",
+    "l~ cos(a) >",
+    "c_dis <",
+    "e <",
+    "digest",
+];
+
 fn print(sink: &mut dyn Write, all: &[Certified]) -> Result<()> {
-    writeln!(
-        sink,
-        "{:<9} {:<13} {:>6}  {:>11} {:>8} {:>9}  {:>8} {:>8} {:>8} {:>8}  {:>7}  {}",
-        "table",
-        "law",
-        "bytes",
-        "l~ cos(a) >",
-        "c_dis <",
-        "e <",
-        "eps_t",
-        "eps_rdot",
-        "eps_r",
-        "eps_phi",
-        "points",
-        "digest"
-    )?;
+    let mut rows = vec![HEAD.map(str::to_owned).to_vec()];
     for c in all {
-        let (d, e) = (&c.domain, &c.largest);
-        writeln!(
-            sink,
-            "{:<9} {:<13} {:>6}  {:>11} {:>8} {:>9}  {:>8.1e} {:>8.1e} {:>8.1e} {:>8.1e}  {:>7}  {}",
-            c.table,
-            c.law,
-            c.bytes,
+        let d = &c.domain;
+        let mut row = vec![c.table.to_owned(), c.law.to_owned(), "largest".to_owned()];
+        row.extend(c.largest.texts());
+        row.extend([
+            c.bytes.to_string(),
             rounded(d.stiffness_min),
             rounded(d.c_dis_max),
             rounded(d.eccentricity_max),
-            e.eps_t,
-            e.eps_rdot,
-            e.eps_r,
-            e.eps_phi,
-            c.points,
-            c.digest
-        )?;
+            c.digest.clone(),
+        ]);
+        rows.push(row);
+        let mut row = vec![String::new(), String::new(), "99.9 %".to_owned()];
+        row.extend(c.usual.texts());
+        rows.push(row);
     }
+    write_aligned(sink, &rows, 3)?;
+    let points = all.iter().map(|c| c.points).min().unwrap_or(0);
+    writeln!(sink, "  errors: eps_t relative, the others absolute, eps_phi in radians;")?;
     writeln!(
         sink,
-        "Largest errors at points the fit did not use: eps_t relative, the others absolute, eps_phi in radians."
+        "  measured at {points} points or more that the fit did not use; a = angle of impact"
     )?;
     Ok(())
 }

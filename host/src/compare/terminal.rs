@@ -1,6 +1,7 @@
 //! How does a comparison look on a terminal? Reads a comparison; writes a table as text.
 
 use super::{Comparison, FOLLOWING, Summary};
+use crate::report::write_aligned;
 use anyhow::Result;
 use std::io::Write;
 
@@ -22,21 +23,9 @@ const HEAD: [&str; 9] = [
 /// What `sink` says.
 pub fn print(sink: &mut dyn Write, comparison: &Comparison) -> Result<()> {
     writeln!(sink, "{} ({} grains)", comparison.title, comparison.grains)?;
-    let mut rows = vec![HEAD.map(str::to_owned)];
-    rows.extend(comparison.methods.iter().map(|summary| row(comparison, summary)));
-    let widths: Vec<usize> = (0..HEAD.len())
-        .map(|column| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0))
-        .collect();
-    for (number, row) in rows.iter().enumerate() {
-        let cells = row.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
-            if column == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
-        });
-        writeln!(sink, "  {}", cells.collect::<Vec<_>>().join("  "))?;
-        if number == 0 {
-            let total = widths.iter().sum::<usize>() + 2 * (widths.len() - 1);
-            writeln!(sink, "  {}", "-".repeat(total))?;
-        }
-    }
+    let mut rows = vec![HEAD.map(str::to_owned).to_vec()];
+    rows.extend(comparison.methods.iter().map(|summary| row(comparison, summary).to_vec()));
+    write_aligned(sink, &rows, 1)?;
     notes(sink, comparison)
 }
 

@@ -87,6 +87,8 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             ("clamped", c.clamped),
             ("hard_sphere", c.hard_sphere),
             ("stale", c.stale),
+            ("wanderings", c.wanderings),
+            ("wanderings", c.wanderings),
         ]
     }
 

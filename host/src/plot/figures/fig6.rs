@@ -108,18 +108,20 @@ fn discs(scene: &mut Scene, panel: &Panel, md: &Paths, start: &Start) {
 
 /// Paths with their dots; `sides` says on which side of each path the numbers stand.
 fn show(scene: &mut Scene, panel: &Panel, paths: &Paths, pen: Stroke, sides: [f64; 2]) {
-    let colour = pen.colour;
+    let tone = pen.colour;
     for (i, side) in sides.into_iter().enumerate() {
         panel.line(scene, &paths.lines[i], pen);
         let dots = &paths.dots[i];
-        for (number, dot) in dots.iter().enumerate() {
+        // The first dot of a method that does not jump is MD's own.
+        let shared = usize::from(tone != colour::MD && paths.before.is_none());
+        for (number, dot) in dots.iter().enumerate().skip(shared) {
             let (next, last) = (dots.get(number + 1).unwrap_or(dot), number.saturating_sub(1));
             let along = [next[0] - dots[last][0], next[1] - dots[last][1]];
-            label(scene, panel, *dot, along, number, colour, side);
+            label(scene, panel, *dot, along, number, tone, side);
         }
         if let Some(before) = paths.before {
-            label(scene, panel, before[i], [1.0, 0.0], 0, colour, side);
-            let jump = Stroke::dashed(colour.with_opacity(0.6), 0.9, 1.5, 2.5);
+            label(scene, panel, before[i], [1.0, 0.0], 0, tone, side);
+            let jump = Stroke::dashed(tone.with_opacity(0.6), 0.9, 1.5, 2.5);
             panel.line(scene, &[before[i], dots[0]], jump);
         }
     }
