@@ -63,6 +63,7 @@ pub enum MethodName {
     Md,
     /// Force-based molecular dynamics, contact by contact, to about 12 digits.
     #[serde(rename = "md-exact")]
+    #[value(name = "md-exact")]
     Exact,
     /// Event-driven, hard spheres with the law's ε(v).
     #[serde(rename = "emd")]
