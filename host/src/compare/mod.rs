@@ -16,6 +16,9 @@ use serde::Serialize;
 /// this part of a radius.
 pub const FOLLOWING: f64 = 0.1;
 
+/// A shorter run of MD than this [s] is not timed.
+const TIMEABLE: f64 = 5e-3;
+
 /// Everything that a comparison found.
 #[derive(Clone, Debug, Serialize)]
 pub struct Comparison {
@@ -48,7 +51,8 @@ pub struct Summary {
     pub wall_seconds: f64,
     /// Seconds simulated.
     pub simulated: f64,
-    /// How many times faster than force-based MD by velocity Verlet.
+    /// How many times faster than force-based MD by velocity Verlet; nothing if that took less
+    /// than a few milliseconds, which cannot be timed in one run.
     pub speed_up: Option<f64>,
     /// Position differences from the judge at `Comparison::compared_at`.
     pub apart: Option<Apart>,
@@ -147,7 +151,9 @@ pub fn summarise(scenario: &Scenario, start: &Start, tracks: &[Track]) -> Result
             kinetic_energy: end.kinetic_energy,
             wall_seconds: track.wall_seconds,
             simulated: end.time,
-            speed_up: verlet.map(|verlet| speed(track) / speed(verlet)),
+            speed_up: verlet
+                .filter(|verlet| verlet.wall_seconds > TIMEABLE)
+                .map(|verlet| speed(track) / speed(verlet)),
             apart: series.get(at).and_then(|point| point.apart),
             followed_until: lost.map(|_| last.time),
             followed_collisions: last.collisions_per_grain,

@@ -88,7 +88,6 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             ("hard_sphere", c.hard_sphere),
             ("stale", c.stale),
             ("wanderings", c.wanderings),
-            ("wanderings", c.wanderings),
         ]
     }
 
