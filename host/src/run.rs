@@ -9,11 +9,11 @@ use std::time::{Duration, Instant};
 /// What a method says at one time.
 #[derive(Clone, Debug)]
 pub struct Sample {
-    /// The time [s].
+    /// The time (s).
     pub time: f64,
     /// All grains.
     pub grains: Vec<Placed>,
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     pub kinetic_energy: f64,
     /// Contacts so far.
     pub collisions: u64,

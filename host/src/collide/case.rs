@@ -20,7 +20,7 @@ pub struct Case {
     pub contact: Contact,
     /// Radii and masses.
     pub pair: Pair,
-    /// Relative speed v [m/s].
+    /// Relative speed v (m/s).
     pub speed: f64,
     /// Eccentricity e = d/l.
     pub eccentricity: f64,

@@ -37,7 +37,7 @@ impl Restitution for Integrated {
 /// What a case led to; the numbers are those of MP13's matrix of restitution, Eqs. (16) to (21).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
-    /// Duration of the contact τ [s].
+    /// Duration of the contact τ (s).
     pub tau: f64,
     /// ε_t, the duration in units of T.
     pub eps_t: f64,
@@ -45,7 +45,7 @@ pub struct Answer {
     pub one_minus_eps_r: f64,
     /// ε_ṙ, negative.
     pub eps_rdot: f64,
-    /// ε_φ [rad].
+    /// ε_φ (rad).
     pub eps_phi: f64,
 }
 

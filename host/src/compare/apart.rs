@@ -12,11 +12,11 @@ use serde::Serialize;
 /// at all, so grains in contact are left out.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Apart {
-    /// Half of the grains differ by less [m].
+    /// Half of the grains differ by less (m).
     pub median: f64,
-    /// Root mean square [m].
+    /// Root mean square (m).
     pub rms: f64,
-    /// Largest [m].
+    /// Largest (m).
     pub largest: f64,
 }
 

@@ -16,7 +16,7 @@ use serde::Serialize;
 /// this part of a radius.
 pub const FOLLOWING: f64 = 0.1;
 
-/// A shorter run of MD than this [s] is not timed.
+/// A shorter run of MD than this (s) is not timed.
 const TIMEABLE: f64 = 5e-3;
 
 /// Everything that a comparison found.
@@ -26,13 +26,13 @@ pub struct Comparison {
     pub title: String,
     /// Grains.
     pub grains: usize,
-    /// Mean radius [m].
+    /// Mean radius (m).
     pub mean_radius: f64,
     /// What positions are compared with.
     pub judge: MethodName,
-    /// Where in the run `Summary::apart` is taken [s].
+    /// Where in the run `Summary::apart` is taken (s).
     pub compared_at: f64,
-    /// How long the judge ran [s].
+    /// How long the judge ran (s).
     pub judged_until: f64,
     /// One entry for each method, the judge first.
     pub methods: Vec<Summary>,
@@ -45,7 +45,7 @@ pub struct Summary {
     pub method: MethodName,
     /// Contacts with grains and walls.
     pub collisions: u64,
-    /// Kinetic energy at the end [J].
+    /// Kinetic energy at the end (J).
     pub kinetic_energy: f64,
     /// Seconds of computing.
     pub wall_seconds: f64,
@@ -69,9 +69,9 @@ pub struct Summary {
 /// One sample of one method, compared with the judge.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Point {
-    /// Time [s].
+    /// Time (s).
     pub time: f64,
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     pub kinetic_energy: f64,
     /// Contacts so far.
     pub collisions: u64,

@@ -11,7 +11,7 @@ use carom::world::{Happening, View, Watch};
 /// One line of an event log.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Logged {
-    /// When [s].
+    /// When (s).
     pub time: f64,
     /// What happened.
     pub what: &'static str,

@@ -25,7 +25,7 @@ pub trait Method {
     /// Which one it is.
     fn name(&self) -> MethodName;
 
-    /// The present [s].
+    /// The present (s).
     fn time(&self) -> f64;
 
     /// Goes on to an instant.
@@ -37,7 +37,7 @@ pub trait Method {
     /// All grains as they are now, inside the box where it is periodic.
     fn grains(&self) -> Vec<Placed>;
 
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     fn kinetic_energy(&self) -> f64;
 
     /// Contacts begun so far, with grains and walls.

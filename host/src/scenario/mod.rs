@@ -28,14 +28,14 @@ pub struct Scenario {
     pub title: String,
     /// 1, 2 or 3.
     pub dimension: usize,
-    /// Uniform gravity, a number for each axis [m/s²]; none if left out.
+    /// Uniform gravity, a number for each axis (m/s²); none if left out.
     #[serde(default)]
     pub gravity: Vec<f64>,
-    /// How long to run [s].
+    /// How long to run (s).
     pub duration: Option<f64>,
     /// Or: until so many collisions between grains have been seen at a sample.
     pub collisions: Option<u64>,
-    /// Time between two samples [s].
+    /// Time between two samples (s).
     pub sample: f64,
     /// Which methods `carom run` runs: md, md-exact, emd, emd*; md, emd and emd* if left out.
     #[serde(default)]

@@ -26,16 +26,16 @@ pub enum SideSpec {
     Open,
     /// The box repeats.
     Periodic {
-        /// Lower end [m]; may be left out with `gas.packing_fraction`.
+        /// Lower end (m); may be left out with `gas.packing_fraction`.
         from: Option<f64>,
-        /// Upper end [m].
+        /// Upper end (m).
         to: Option<f64>,
     },
     /// Two plane walls.
     Walls {
-        /// Lower wall [m]; may be left out with `gas.packing_fraction`.
+        /// Lower wall (m); may be left out with `gas.packing_fraction`.
         from: Option<f64>,
-        /// Upper wall [m].
+        /// Upper wall (m).
         to: Option<f64>,
         /// Soft walls follow the contact law; hard ones need `restitution`.
         surface: SurfaceSpec,
@@ -60,18 +60,18 @@ pub enum SurfaceSpec {
 pub enum LawSpec {
     /// Linear spring-dashpot, MP13 Eq. (40).
     Lsd {
-        /// k [N/m].
+        /// k (N/m).
         stiffness: f64,
-        /// γ [kg/s].
+        /// γ (kg/s).
         damping: f64,
     },
     /// Viscoelastic spheres, MP13 Eq. (51).
     Viscoelastic {
-        /// Y [Pa].
+        /// Y (Pa).
         young: f64,
         /// ν.
         poisson: f64,
-        /// A [s].
+        /// A (s).
         dissipation: f64,
     },
     /// Hard spheres with a constant coefficient of restitution: event-driven only.
@@ -95,7 +95,7 @@ pub struct Options {
     pub table: crate::tables::Size,
     /// Write the event-driven methods' events to a CSV file.
     pub events: bool,
-    /// How long `carom compare` runs the exact MD [s]; positions are compared until then.
+    /// How long `carom compare` runs the exact MD (s); positions are compared until then.
     pub exact_until: Option<f64>,
 }
 
@@ -148,15 +148,15 @@ pub enum MatrixSpec {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GrainSpec {
-    /// Radius [m].
+    /// Radius (m).
     pub radius: f64,
-    /// Mass [kg]; this or `density`.
+    /// Mass (kg); this or `density`.
     pub mass: Option<f64>,
-    /// Density of a sphere [kg/m³]; this or `mass`.
+    /// Density of a sphere (kg/m³); this or `mass`.
     pub density: Option<f64>,
-    /// Centre [m].
+    /// Centre (m).
     pub at: Vec<f64>,
-    /// Velocity [m/s]; at rest if left out.
+    /// Velocity (m/s); at rest if left out.
     #[serde(default)]
     pub moving: Vec<f64>,
 }
@@ -170,11 +170,11 @@ pub struct Gas {
     /// Fraction of the box (area in two dimensions) that the grains fill; sets the size of a cubic
     /// box whose sides say no `from` and `to`.
     pub packing_fraction: Option<f64>,
-    /// Radius [m], or the smallest and the largest, drawn evenly in between.
+    /// Radius (m), or the smallest and the largest, drawn evenly in between.
     pub radius: RadiusSpec,
-    /// Density of the spheres [kg/m³].
+    /// Density of the spheres (kg/m³).
     pub density: f64,
-    /// v_th [m/s]: each component of a velocity is normal with variance v_th²/2; the total
+    /// v_th (m/s): each component of a velocity is normal with variance v_th²/2; the total
     /// momentum is then set to zero.
     pub thermal_speed: f64,
     /// Seed of the random numbers (PCG 64): the same seed gives the same gas everywhere.

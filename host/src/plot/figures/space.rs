@@ -5,13 +5,13 @@ use std::f64::consts::PI;
 
 /// The smallest and largest eccentricity of both tables.
 const ECCENTRICITY: [f64; 2] = [0.01, 0.99];
-/// Radius [m], density [kg/m³] and speed [m/s], the same in both tables.
+/// Radius (m), density (kg/m³) and speed (m/s), the same in both tables.
 const RADIUS: [f64; 2] = [0.001, 0.1];
 const DENSITY: [f64; 2] = [250.0, 3250.0];
 const SPEED: [f64; 2] = [0.001, 25.0];
-/// Spring constant [N/m], Table I.
+/// Spring constant (N/m), Table I.
 const STIFFNESS: [f64; 2] = [1e3, 1e6];
-/// Young modulus [Pa], Poisson ratio and dissipative parameter [s], Table II.
+/// Young modulus (Pa), Poisson ratio and dissipative parameter (s), Table II.
 const YOUNG: [f64; 2] = [1e7, 1e11];
 const POISSON: [f64; 2] = [0.2, 0.5];
 const DISSIPATION: [f64; 2] = [1e-6, 1.0];

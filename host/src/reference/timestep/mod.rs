@@ -44,7 +44,7 @@ pub struct Counters {
 ///
 /// The step is the shortest contact's length over [`VerletOptions::steps_per_contact`], the
 /// contact being that of the lightest (and largest) grains at the largest relative speed there is,
-/// estimated by [`ContactLaw::contact_time`]; it is made shorter when speeds grow.
+/// estimated by [`ContactLaw::contact_time`](crate::reference::ContactLaw::contact_time); it is made shorter when speeds grow.
 ///
 /// Forces depend on velocities, which velocity Verlet knows only half a step earlier. They are
 /// taken at v(t + dt/2) + a(t) dt/2, which is v(t + dt) to second order; so the whole scheme stays
