@@ -49,10 +49,13 @@ impl Plan {
         Self { duration, collisions: u64::MAX, ..self }
     }
 
-    /// The same samples, at most until a given instant.
-    pub const fn at_most(self, limit: Option<f64>) -> Self {
+    /// The same samples, at most until a given instant: a part of them, so that sample stays sample.
+    #[must_use]
+    pub fn at_most(self, limit: Option<f64>) -> Self {
         match limit {
-            Some(limit) if limit < self.duration => Self { duration: limit, ..self },
+            Some(limit) if limit < self.duration => {
+                Self { duration: (limit / self.sample + 1e-9).floor() * self.sample, ..self }
+            }
             _ => self,
         }
     }

@@ -22,6 +22,18 @@ pub struct Options {
     out: Option<PathBuf>,
 }
 
+/// Columns of comparison.csv.
+const HEAD: [&str; 8] = [
+    "method",
+    "time",
+    "collisions",
+    "collisions_per_grain",
+    "kinetic_energy",
+    "apart_median",
+    "apart_rms",
+    "apart_largest",
+];
+
 /// Runs and compares.
 ///
 /// # Errors
@@ -52,36 +64,29 @@ pub fn run(options: &Options) -> Result<()> {
 pub fn write_files(folder: &Path, comparison: &Comparison) -> Result<()> {
     let json = serde_json::to_vec_pretty(comparison)?;
     output::write_file(&folder.join("comparison.json"), &json)?;
+    output::write_file(&folder.join("comparison.csv"), &rows(comparison)?)?;
+    let picture = figures::gas::draw(comparison);
+    plot::save(&picture, &folder.join("comparison.png"))?;
+    plot::save(&picture, &folder.join("comparison.svg"))
+}
+
+fn rows(comparison: &Comparison) -> Result<Vec<u8>> {
     let mut rows = csv::Writer::from_writer(Vec::new());
-    rows.write_record([
-        "method",
-        "time",
-        "collisions",
-        "collisions_per_grain",
-        "kinetic_energy",
-        "apart_median",
-        "apart_rms",
-        "apart_largest",
-    ])?;
+    rows.write_record(HEAD)?;
     for summary in &comparison.methods {
         for point in &summary.series {
-            let apart = point.apart.map(|apart| [apart.median, apart.rms, apart.largest]);
-            let [median, rms, largest] =
-                apart.map_or_else(Default::default, |a| a.map(|x| format!("{x:?}")));
-            rows.write_record([
+            let numbers = point.apart.map(|apart| [apart.median, apart.rms, apart.largest]);
+            let numbers = numbers.map(|all| all.map(|x| format!("{x:?}"))).unwrap_or_default();
+            let mut row = vec![
                 summary.method.file_stem().to_owned(),
                 format!("{:?}", point.time),
                 point.collisions.to_string(),
                 format!("{:?}", point.collisions_per_grain),
                 format!("{:?}", point.kinetic_energy),
-                median,
-                rms,
-                largest,
-            ])?;
+            ];
+            row.extend(numbers);
+            rows.write_record(row)?;
         }
     }
-    output::write_file(&folder.join("comparison.csv"), &rows.into_inner()?)?;
-    let picture = figures::gas::draw(comparison);
-    plot::save(&picture, &folder.join("comparison.png"))?;
-    plot::save(&picture, &folder.join("comparison.svg"))
+    Ok(rows.into_inner()?)
 }

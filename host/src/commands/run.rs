@@ -1,8 +1,8 @@
 //! `carom run`: what do the grains do? Reads a scenario; writes time series, trajectories and a summary.
 
 use crate::method;
-use crate::output::{self, Draft};
-use crate::report::{self, Series};
+use crate::output;
+use crate::report::Files;
 use crate::run::{self, Plan};
 use crate::scenario::{MethodName, Scenario, Start};
 use anyhow::{Context, Result};
@@ -71,39 +71,20 @@ fn named(options: &Options) -> String {
 }
 
 fn one(name: MethodName, scenario: &Scenario, start: &Start, folder: &Path) -> Result<Run> {
-    let stem = name.file_stem();
-    let mut files = vec![folder.join(format!("{stem}.csv")), folder.join(format!("{stem}.xyz"))];
-    let mut series = Series::new(&files[0])?;
-    let mut frames = Draft::new(&files[1])?;
-    let mut events = None;
-    if scenario.options.events && matches!(name, MethodName::Emd | MethodName::EmdStar) {
-        files.push(folder.join(format!("{stem}-events.csv")));
-        let mut rows = csv::Writer::from_writer(Draft::new(&files[2])?);
-        report::events_head(&mut rows)?;
-        events = Some(rows);
-    }
+    let mut files = Files::new(folder, name, scenario)?;
     let mut last = None;
     let wall_seconds = method::with(name, scenario, start, |method| {
         run::drive(method, &Plan::new(scenario), |sample| {
-            series.add(sample)?;
-            report::write_frame(&mut frames, start, sample)?;
-            if let Some(rows) = &mut events {
-                report::write_events(rows, &sample.events)?;
-            }
             last = Some((
                 sample.time,
                 sample.collisions,
                 sample.kinetic_energy,
                 sample.counters.clone(),
             ));
-            Ok(())
+            files.add(start, sample)
         })
     })?;
-    series.finish()?;
-    frames.finish()?;
-    if let Some(rows) = events {
-        rows.into_inner().map_err(|error| error.into_error())?.finish()?;
-    }
+    let files = files.finish()?;
     let (time, collisions, kinetic_energy, counters) = last.context("no sample was taken")?;
     Ok(Run { method: name, time, collisions, kinetic_energy, wall_seconds, counters, files })
 }

@@ -137,30 +137,7 @@ pub fn summarise(scenario: &Scenario, start: &Start, tracks: &[Track]) -> Result
     let Some(judge) = tracks.first() else { bail!("no method was run") };
     let verlet = tracks.iter().find(|track| track.method == MethodName::Md);
     let at = apart::where_to_look(start, judge);
-    let summaries = tracks.iter().map(|track| {
-        let series: Vec<Point> = apart::series(start, judge, track);
-        let lost = series.iter().position(|point| {
-            point.apart.is_some_and(|apart| apart.median > FOLLOWING * start.mean_radius())
-        });
-        let judged = series.iter().rposition(|point| point.apart.is_some()).unwrap_or(0);
-        let last = series[lost.map_or(judged, |lost| lost.saturating_sub(1))];
-        let end = series[series.len() - 1];
-        Summary {
-            method: track.method,
-            collisions: end.collisions,
-            kinetic_energy: end.kinetic_energy,
-            wall_seconds: track.wall_seconds,
-            simulated: end.time,
-            speed_up: verlet
-                .filter(|verlet| verlet.wall_seconds > TIMEABLE)
-                .map(|verlet| speed(track) / speed(verlet)),
-            apart: series.get(at).and_then(|point| point.apart),
-            followed_until: lost.map(|_| last.time),
-            followed_collisions: last.collisions_per_grain,
-            counters: track.samples.last().map(|s| s.counters.clone()).unwrap_or_default(),
-            series,
-        }
-    });
+    let one = |track: &Track| summary(start, judge, verlet, at, track);
     Ok(Comparison {
         title: scenario.title.clone(),
         grains: start.grains.len(),
@@ -168,8 +145,39 @@ pub fn summarise(scenario: &Scenario, start: &Start, tracks: &[Track]) -> Result
         judge: judge.method,
         judged_until: judge.samples.last().map_or(0.0, |sample| sample.time),
         compared_at: judge.samples.get(at).map_or(0.0, |sample| sample.time),
-        methods: summaries.collect(),
+        methods: tracks.iter().map(one).collect(),
     })
+}
+
+fn summary(
+    start: &Start,
+    judge: &Track,
+    verlet: Option<&Track>,
+    at: usize,
+    track: &Track,
+) -> Summary {
+    let series = apart::series(start, judge, track);
+    let limit = FOLLOWING * start.mean_radius();
+    let is_lost = |point: &Point| point.apart.is_some_and(|apart| apart.median > limit);
+    let lost = series.iter().position(is_lost);
+    let judged = series.iter().rposition(|point| point.apart.is_some()).unwrap_or(0);
+    let last = series[lost.map_or(judged, |lost| lost.saturating_sub(1))];
+    let end = series[series.len() - 1];
+    Summary {
+        method: track.method,
+        collisions: end.collisions,
+        kinetic_energy: end.kinetic_energy,
+        wall_seconds: track.wall_seconds,
+        simulated: end.time,
+        speed_up: verlet
+            .filter(|verlet| verlet.wall_seconds > TIMEABLE)
+            .map(|verlet| speed(track) / speed(verlet)),
+        apart: series.get(at).and_then(|point| point.apart),
+        followed_until: lost.map(|_| last.time),
+        followed_collisions: last.collisions_per_grain,
+        counters: track.samples.last().map(|s| s.counters.clone()).unwrap_or_default(),
+        series,
+    }
 }
 
 /// Simulated seconds a second.

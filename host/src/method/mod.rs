@@ -12,7 +12,7 @@ pub use touching::touching;
 use crate::reference::{self, Exact, Verlet, VerletOptions};
 use crate::scenario::{MethodName, Placed, ReleaseSpec, Scenario, Side, Start};
 use crate::storage::Storage;
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result};
 use carom::matter::{Plane, Surface};
 use carom::world::Setup;
 use carom::{Grain, Release, World};
@@ -103,20 +103,28 @@ fn with_dimension<const D: usize, T>(
             work(&mut ForceBased::new(run, start)).with_context(context)
         }
         MethodName::Emd | MethodName::EmdStar => {
-            let rule = rule::rule(name, scenario)?;
-            let mut storage = Storage::<f64, D>::new(start.grains.len());
-            let setup = World::setup(&mut storage).gravity(first(&start.gravity));
-            let setup = enclose(setup.release(release(scenario)), start).rule(&*rule);
-            let grains = start.grains.iter().map(|grain| {
-                Grain::with_mass(grain.radius, grain.mass)
-                    .at(first(&grain.position))
-                    .moving(first(&grain.velocity))
-            });
-            let world = setup.grains(grains).and_then(Setup::start);
-            let world = world.map_err(|fault| anyhow!("{}: {fault}", name.label()))?;
-            work(&mut EventDriven::new(world, name, scenario.options.events)).with_context(context)
+            with_world::<D, T>(name, scenario, start, work).with_context(context)
         }
     }
+}
+
+fn with_world<const D: usize, T>(
+    name: MethodName,
+    scenario: &Scenario,
+    start: &Start,
+    work: impl FnOnce(&mut dyn Method) -> Result<T>,
+) -> Result<T> {
+    let rule = rule::rule(name, scenario)?;
+    let mut storage = Storage::<f64, D>::new(start.grains.len());
+    let setup = World::setup(&mut storage).gravity(first(&start.gravity));
+    let setup = enclose(setup.release(release(scenario)), start).rule(&*rule);
+    let grains = start.grains.iter().map(|grain| {
+        Grain::with_mass(grain.radius, grain.mass)
+            .at(first(&grain.position))
+            .moving(first(&grain.velocity))
+    });
+    let world = setup.grains(grains).and_then(Setup::start)?;
+    work(&mut EventDriven::new(world, name, scenario.options.events))
 }
 
 fn release(scenario: &Scenario) -> Release {
