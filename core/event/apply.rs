@@ -5,7 +5,7 @@ use super::scene::{Release, Scene};
 use super::turn::Touch;
 use crate::fault::Fault;
 use crate::law::{Answer, Encounter, Outcome, Response, Rule, Trust};
-use crate::matter::cells::Stride;
+use crate::matter::grid::Stride;
 use crate::matter::{Body, Partner};
 use crate::number::{Scalar, Vector, all_numbers};
 

@@ -3,7 +3,7 @@
 use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
-use crate::matter::cells::{Grid, Stride};
+use crate::matter::grid::{Grid, Stride};
 use crate::matter::{Body, Boundary, Partner, Plane, flight};
 use crate::number::Scalar;
 
@@ -12,9 +12,10 @@ pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: us
     let me = scene.present(grain);
     let mut slot = release(&me);
     for k in scene.cells.near(me.cell) {
-        let Some(other) = scene.body(k).filter(|_| k != grain && !scene.bound(grain, k)) else {
+        let Some(other) = scene.body(k).filter(|_| k != grain) else { continue };
+        if me.partner == Partner::grain(k) && other.partner == Partner::grain(grain) {
             continue;
-        };
+        }
         if let Some(span) = pair(scene, &me, other) {
             earlier(&mut slot, meeting(scene, span, Partner::grain(k)));
         }

@@ -1,7 +1,8 @@
 //! What does an event see and change? The bodies, the space they are in, the present, the counters.
 
 use crate::fault::{Fault, Subject};
-use crate::matter::cells::{Cells, Grid, Stride};
+use crate::matter::cells::Cells;
+use crate::matter::grid::{Grid, Stride};
 use crate::matter::{Body, Boundary, Partner, flight};
 use crate::number::{Instant, Scalar, Vector};
 

@@ -4,6 +4,7 @@ pub mod boundary;
 pub mod cells;
 pub mod flight;
 pub mod grain;
+pub mod grid;
 
 pub use boundary::{Boundary, Periodic, Plane, Surface};
 pub use grain::{Body, Grain, Partner};

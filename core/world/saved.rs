@@ -6,7 +6,7 @@ use crate::event::Slot;
 use crate::event::scene::{Counters, Release};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
-use crate::matter::cells::Grid;
+use crate::matter::grid::Grid;
 use crate::matter::{Body, Boundary};
 use crate::number::{Instant, Scalar, Vector};
 

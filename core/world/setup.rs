@@ -8,7 +8,8 @@ use crate::event::{Slot, predict};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
 use crate::matter::boundary::MOST_PLANES;
-use crate::matter::cells::{Cells, Grid};
+use crate::matter::cells::Cells;
+use crate::matter::grid::Grid;
 use crate::matter::{Body, Boundary, Grain, Partner, Periodic, Plane, Surface};
 use crate::number::{Instant, Scalar, Vector};
 

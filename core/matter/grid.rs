@@ -1,0 +1,198 @@
+//! Which cell is where? Cuts space into cells; reads the boundary and the density at the start, writes nothing.
+//!
+//! Cells are at least as wide as the largest grain, so only grains in the same or a neighbouring cell
+//! can touch. The outermost cells of an axis that is not periodic reach to infinity, so the grid is
+//! right for grains anywhere. A periodic axis needs four cells, so that the nearest image of a
+//! neighbour is the one that can touch; where there are fewer, all pairs are neighbours.
+
+use super::boundary::Boundary;
+use super::grain::Body;
+use crate::number::{Scalar, Vector};
+
+/// There is no such cell.
+pub(super) const NOWHERE: u32 = u32::MAX;
+
+/// The cells along one axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Lane<S> {
+    low: S,
+    width: S,
+    count: u32,
+    periodic: bool,
+}
+
+/// The cells along all axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Grid<S: Scalar, const D: usize> {
+    lanes: Vector<Lane<S>, D>,
+}
+
+/// A step into a neighbouring cell: which axis, and whether upwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Stride {
+    pub axis: usize,
+    pub up: bool,
+}
+
+impl Stride {
+    /// As one word.
+    #[expect(clippy::cast_possible_truncation, reason = "there are at most a few axes")]
+    pub fn code(self) -> u32 {
+        2 * self.axis as u32 + u32::from(self.up)
+    }
+
+    /// From one word.
+    pub fn from_code(code: u32) -> Self {
+        Self { axis: code as usize / 2, up: code % 2 == 1 }
+    }
+}
+
+impl<S: Scalar, const D: usize> Grid<S, D> {
+    /// The grid with about one grain a cell, cells no narrower than `reach`, at most `most` of them;
+    /// none if that leaves fewer than four along a periodic axis.
+    pub(crate) fn choose(
+        boundary: &Boundary<S, D>,
+        bodies: &[Body<S, D>],
+        reach: S,
+        most: usize,
+    ) -> Option<Self> {
+        let sides: [([S; 2], bool); D] = core::array::from_fn(|axis| {
+            (extent(boundary, bodies, axis), boundary.periodic(axis).is_some())
+        });
+        let volume: f64 = sides.iter().map(|([low, high], _)| (*high - *low).to_f64()).product();
+        let dense = libm::pow(volume / bodies.len().max(1) as f64, 1.0 / D as f64);
+        let mut width = dense.max(1.001 * reach.to_f64());
+        if !(width > 0.0 && width.is_finite()) {
+            return None;
+        }
+        // Each round makes cells an eighth wider; 500 of them span any range of widths.
+        for _ in 0..500 {
+            let lanes = sides.map(|(side, periodic)| lane(side, periodic, width));
+            let cells: f64 = lanes.iter().map(|l: &Lane<S>| f64::from(l.count)).product();
+            if lanes.iter().any(|lane| lane.periodic && lane.count < 4) {
+                return None;
+            }
+            if cells <= most as f64 {
+                return (cells >= 8.0).then(|| Self { lanes: Vector::from(lanes) });
+            }
+            width *= 1.125;
+        }
+        None
+    }
+
+    /// Whether every lane can be counted with: a grid may have been read from a file.
+    pub(super) fn is_sound(&self) -> bool {
+        let sound = |l: &Lane<S>| l.count > 0 && l.count <= 1 << 20 && l.width > S::zero();
+        self.lanes.iter().all(sound)
+    }
+
+    /// How many cells there are.
+    pub(crate) fn cells(&self) -> usize {
+        self.lanes.iter().fold(1, |n: usize, lane| n.saturating_mul(lane.count as usize))
+    }
+
+    /// The cell of a position inside the box.
+    pub(crate) fn locate(&self, position: &Vector<S, D>) -> u32 {
+        let mut cell = 0;
+        for (lane, &x) in self.lanes.iter().zip(position.iter()).rev() {
+            cell = cell * lane.count + lane.index(x);
+        }
+        cell
+    }
+
+    /// The cells' numbers along the axes.
+    fn coordinates(&self, mut cell: u32) -> [u32; D] {
+        let mut at = [0; D];
+        for (c, lane) in at.iter_mut().zip(self.lanes.iter()) {
+            *c = cell % lane.count;
+            cell /= lane.count;
+        }
+        at
+    }
+
+    /// For each axis, what the cell below, the same and the one above add to a cell's number; `NOWHERE` for none.
+    pub(super) fn steps(&self, cell: u32) -> [[u32; 3]; D] {
+        let (mut scale, at) = (1, self.coordinates(cell));
+        let mut steps = [[NOWHERE; 3]; D];
+        for ((step, &c), lane) in steps.iter_mut().zip(&at).zip(self.lanes.iter()) {
+            let term = |c: Option<u32>| c.map_or(NOWHERE, |c| c * scale);
+            *step = [term(lane.below(c)), c * scale, term(lane.above(c))];
+            scale *= lane.count;
+        }
+        steps
+    }
+
+    /// The number of the cell with these coordinates.
+    fn number(&self, at: &[u32; D]) -> u32 {
+        let cells = at.iter().zip(self.lanes.iter()).rev();
+        cells.fold(0, |number, (&c, lane)| number * lane.count + c)
+    }
+
+    /// The distances from a position to the lower and upper face of its cell along an axis; none where
+    /// the cell reaches to infinity.
+    pub(crate) fn faces(&self, cell: u32, axis: usize, x: S) -> [Option<S>; 2] {
+        let (at, lane) = (self.coordinates(cell), self.lanes.get(axis));
+        let (Some(&c), Some(lane)) = (at.get(axis), lane) else { return [None, None] };
+        let face = |c: u32| lane.low + lane.width * S::from_f64(f64::from(c));
+        let low = lane.below(c).map(|_| x - face(c));
+        let high = lane.above(c).map(|_| face(c + 1) - x);
+        [low, high]
+    }
+
+    /// The cell after a stride, and by how many box lengths along the axis the position must be moved.
+    pub(crate) fn stride(&self, cell: u32, stride: Stride) -> Option<(u32, S)> {
+        let mut at = self.coordinates(cell);
+        let (c, lane) = (at.get_mut(stride.axis)?, self.lanes.get(stride.axis)?);
+        let moved = if stride.up { lane.above(*c)? } else { lane.below(*c)? };
+        let turns = match (stride.up, moved) {
+            (true, 0) => -S::one(),
+            (false, m) if m + 1 == lane.count && *c == 0 => S::one(),
+            _ => S::zero(),
+        };
+        *c = moved;
+        Some((self.number(&at), turns))
+    }
+}
+
+impl<S: Scalar> Lane<S> {
+    fn index(&self, x: S) -> u32 {
+        let cell = ((x - self.low) / self.width).to_f64();
+        // A cast from float saturates, and NaN gives 0.
+        (cell as u32).min(self.count - 1)
+    }
+
+    fn below(&self, c: u32) -> Option<u32> {
+        if c > 0 { Some(c - 1) } else { self.periodic.then(|| self.count - 1) }
+    }
+
+    fn above(&self, c: u32) -> Option<u32> {
+        if c + 1 < self.count { Some(c + 1) } else { self.periodic.then_some(0) }
+    }
+}
+
+/// From where to where the grains can be along an axis: the box, or where they are at the start.
+fn extent<S: Scalar, const D: usize>(
+    boundary: &Boundary<S, D>,
+    bodies: &[Body<S, D>],
+    axis: usize,
+) -> [S; 2] {
+    if let Some(p) = boundary.periodic(axis) {
+        return [p.low, p.low + p.length];
+    }
+    let (mut low, mut high) = (S::NEVER, -S::NEVER);
+    for body in bodies {
+        if let Some(&x) = body.position.get(axis) {
+            low = low.smaller(x - body.radius);
+            high = high.larger(x + body.radius);
+        }
+    }
+    boundary.between_planes(axis, [low, high])
+}
+
+fn lane<S: Scalar>([low, high]: [S; 2], periodic: bool, width: f64) -> Lane<S> {
+    let length = (high - low).to_f64();
+    let count = ((length / width) as u32).clamp(1, 1 << 20);
+    Lane { low, width: S::from_f64(length / f64::from(count)), count, periodic }
+}
