@@ -115,7 +115,7 @@ const PARTS: u64 = 10_000;
 
 impl Progress {
     fn new(label: &'static str, plan: &Plan) -> Self {
-        let style = "{prefix:>9} [{bar:32}] {percent:>3} %  {msg}  {eta} left";
+        let style = "{prefix:>9} [{bar:24}] {percent:>3} %  {msg}  {eta} left";
         let bar = ProgressBar::new(PARTS).with_prefix(label);
         if let Ok(style) = ProgressStyle::with_template(style) {
             bar.set_style(style.progress_chars("=> "));
@@ -131,10 +131,7 @@ impl Progress {
         };
         let seconds = self.bar.elapsed().as_secs_f64().max(1e-9);
         let rate = sample.collisions as f64 / seconds;
-        self.bar.set_message(format!(
-            "t = {:.4} s, {} collisions, {rate:.0} a second",
-            sample.time, sample.collisions
-        ));
+        self.bar.set_message(format!("{} collisions, {rate:.0}/s", sample.collisions));
         self.bar.set_position((part * PARTS as f64) as u64);
     }
 }
