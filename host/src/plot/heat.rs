@@ -38,6 +38,7 @@ pub fn colour_bar(scene: &mut Scene, place: Rect, low: f64, high: f64) {
     let columns = 256;
     let values = (0..columns).map(|k| k as f64 / (columns - 1) as f64).collect();
     Field { columns, values }.draw(scene, place, 0.0, 1.0);
-    let x = Axis::linear(low, high, 3);
+    // Numbers with two decimals need more room.
+    let x = Axis::linear(low, high, if high - low < 0.3 { 3 } else { 4 });
     Panel { place, x, y: Axis::with_ticks(0.0, 1.0, Vec::new()) }.frame(scene);
 }
