@@ -45,8 +45,6 @@
     clippy::explicit_iter_loop,
     clippy::cast_lossless
 )]
-// A comparison that is false for NaN must stay one: `!(x > 0)` sends NaN to the safe side, `x <= 0` does not.
-#![allow(clippy::neg_cmp_op_on_partial_ord)]
 #![cfg_attr(
     not(test),
     deny(

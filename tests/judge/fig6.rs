@@ -110,8 +110,8 @@ fn emd_takes_the_reference_s_wrong_way() {
         World::setup(&mut memory).rule(rule).grains(grains(&path)).unwrap().start().unwrap();
     world.step().unwrap();
     let v = [0, 1].map(|i| world.grain(i).unwrap().velocity);
-    for i in 0..2 {
-        let d = distance(&v[i], &path.emd_velocity[i]);
+    for (v, wanted) in v.iter().zip(&path.emd_velocity) {
+        let d = distance(v, wanted);
         assert!(d < 1e-11, "{d:e}");
     }
     // The direction of the relative motion afterwards, against that of the MD path.
