@@ -34,52 +34,54 @@ fn a_bad_grain_is_named_with_its_field() {
     }
 }
 
+type Begun<'m> = carom::world::Setup<'m, f64, 1, carom::world::NoRule>;
+
+fn start(f: impl FnOnce(Begun<'_>) -> Result<(), Fault>) -> Result<(), Fault> {
+    let mut memory = Memory::<f64, 1, 2>::new();
+    f(World::setup(&mut memory))
+}
+
 #[test]
 fn bad_boundaries_gravity_and_laws_are_named() {
-    let start =
-        |f: &dyn Fn(carom::world::Setup<'_, f64, 1, carom::world::NoRule>) -> Result<(), Fault>| {
-            let mut memory = Memory::<f64, 1, 2>::new();
-            f(World::setup(&mut memory))
-        };
     let with = |law| Soft::linear_dashpot(law, Outside::Clamp);
     let rubber = Viscoelastic { young: 1e6, poisson: 0.4, dissipation: 0.0 };
     let cases: [(Result<(), Fault>, Subject, &str); 8] = [
         (
-            start(&|s| s.gravity([f64::NAN]).rule(ELASTIC).start().map(drop)),
+            start(|s| s.gravity([f64::NAN]).rule(ELASTIC).start().map(drop)),
             Subject::World,
             "gravity",
         ),
         (
-            start(&|s| s.periodic([[1.0, 0.0]]).rule(ELASTIC).start().map(drop)),
+            start(|s| s.periodic([[1.0, 0.0]]).rule(ELASTIC).start().map(drop)),
             Subject::Axis(0),
             "length",
         ),
         (
-            start(&|s| s.hard_walls([[0.0, 1.0]], 1.5).rule(ELASTIC).start().map(drop)),
+            start(|s| s.hard_walls([[0.0, 1.0]], 1.5).rule(ELASTIC).start().map(drop)),
             Subject::Plane(0),
             "restitution",
         ),
         (
-            start(&|s| s.rule(HardSphere { restitution: -0.1 }).start().map(drop)),
+            start(|s| s.rule(HardSphere { restitution: -0.1 }).start().map(drop)),
             Subject::Rule,
             "restitution",
         ),
         (
-            start(&|s| {
+            start(|s| {
                 s.rule(with(LinearDashpot { stiffness: 0.0, damping: 0.0 })).start().map(drop)
             }),
             Subject::Rule,
             "stiffness",
         ),
         (
-            start(&|s| {
+            start(|s| {
                 s.rule(with(LinearDashpot { stiffness: 1.0, damping: -1.0 })).start().map(drop)
             }),
             Subject::Rule,
             "damping",
         ),
         (
-            start(&|s| {
+            start(|s| {
                 s.rule(Soft::viscoelastic(Viscoelastic { poisson: 0.6, ..rubber }, Outside::Clamp))
                     .start()
                     .map(drop)
@@ -88,7 +90,7 @@ fn bad_boundaries_gravity_and_laws_are_named() {
             "poisson",
         ),
         (
-            start(&|s| {
+            start(|s| {
                 s.plane(Plane { normal: [2.0].into(), offset: 0.0, surface: Surface::Rule })
                     .rule(ELASTIC)
                     .start()
