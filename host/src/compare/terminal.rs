@@ -73,6 +73,11 @@ fn notes(sink: &mut dyn Write, comparison: &Comparison) -> Result<()> {
         sink,
         "  follows: until half of the grains are {FOLLOWING} R apart; speed-up: over MD (velocity Verlet)"
     )?;
+    let end = comparison.methods.iter().map(|summary| summary.simulated).fold(0.0, f64::max);
+    if comparison.judged_until < end {
+        let until = comparison.judged_until;
+        writeln!(sink, "  {judge} runs to t = {until} s only: collisions and energy are of then")?;
+    }
     for summary in &comparison.methods {
         let told = ["rotation_refused", "interrupted", "clamped", "hard_sphere"];
         let list: Vec<String> = summary
