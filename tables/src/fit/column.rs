@@ -1,7 +1,7 @@
 //! Which Chebyshev coefficients does a box need? Reads values at its nodes; writes row lengths and coefficients.
 
 use super::Fit;
-use crate::form::{Leaf, MAX_TERMS};
+use crate::form::{Leaf, MAX_TERMS, Row};
 
 /// One column of one box: all coefficients, and the length of every row that is kept.
 pub(crate) struct Column {
@@ -79,17 +79,6 @@ impl Column {
         }
         sum
     }
-
-    /// Length of the longest row of every plane's leading rows: `rows[i]` rows in plane `i`.
-    fn planes(&self) -> Vec<usize> {
-        let planes: Vec<usize> = self
-            .lengths
-            .chunks(self.n[1])
-            .map(|plane| plane.iter().rposition(|&l| l > 0).map_or(0, |j| j + 1))
-            .collect();
-        let first = planes.iter().rposition(|&p| p > 0).map_or(0, |i| i + 1);
-        planes[..first].to_vec()
-    }
 }
 
 /// One discrete cosine transform along an axis.
@@ -111,26 +100,23 @@ pub(super) fn store(columns: &[Column; 3], direct: bool, fit: &mut Fit) -> Leaf 
     let mut leaf = Leaf {
         row: fit.rows.len() as u32,
         coefficient: fit.coefficients.len() as u32,
+        rows: [0; 3],
         terms: [2; 3],
         direct,
     };
-    for column in columns {
-        let planes = column.planes();
-        push(planes.len(), 0, &mut leaf, fit);
-        for (i, &second) in planes.iter().enumerate() {
-            push(second, 1, &mut leaf, fit);
-            for j in 0..second {
-                let row = i * column.n[1] + j;
-                let third = column.lengths[row];
-                push(third, 2, &mut leaf, fit);
-                fit.coefficients.extend(&column.all[row * column.n[2]..][..third]);
+    for (column, count) in columns.iter().zip(0..3) {
+        for (at, &terms) in column.lengths.iter().enumerate() {
+            if terms == 0 {
+                continue;
+            }
+            let (i, j) = (at / column.n[1], at % column.n[1]);
+            fit.rows.push(Row { orders: (16 * i + j) as u8, terms: terms as u8 });
+            fit.coefficients.extend(&column.all[at * column.n[2]..][..terms]);
+            leaf.rows[count] += 1;
+            for (most, terms) in leaf.terms.iter_mut().zip([i + 1, j + 1, terms]) {
+                *most = (*most).max(terms as u8);
             }
         }
     }
     leaf
-}
-
-fn push(length: usize, axis: usize, leaf: &mut Leaf, fit: &mut Fit) {
-    fit.rows.push(length as u8);
-    leaf.terms[axis] = leaf.terms[axis].max(length as u8);
 }

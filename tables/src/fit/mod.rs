@@ -4,7 +4,7 @@ mod check;
 mod column;
 
 use crate::contact::{follow, follow_quickly};
-use crate::form::{Branch, Domain, End, Frame, Law, Leaf, MAX_TERMS};
+use crate::form::{Branch, Domain, End, Frame, Law, Leaf, MAX_TERMS, Row};
 pub(crate) use check::place;
 use check::{Check, errors};
 use column::Column;
@@ -44,7 +44,7 @@ pub(crate) struct Ask {
 pub(crate) struct Fit {
     pub branches: Vec<Branch>,
     pub leaves: Vec<Leaf>,
-    pub rows: Vec<u8>,
+    pub rows: Vec<Row>,
     pub coefficients: Vec<f64>,
     /// The box of each leaf.
     pub cubes: Vec<Cube>,

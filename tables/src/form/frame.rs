@@ -1,7 +1,7 @@
 //! Where in the unit cube does a collision lie, and what was divided out there? Reads `kappa`, `eta`, `c_dis`; writes coordinates and restitution.
 
 use super::Stored;
-use crate::law::Law;
+use crate::law::{End, Law};
 use crate::number::Real;
 
 /// How the groups become coordinates in the unit cube.
@@ -12,6 +12,8 @@ use crate::number::Real;
 pub struct Frame<C> {
     /// The force law.
     pub law: Law,
+    /// The end of the contact.
+    pub end: End,
     /// Any damping and softness (logarithms), or the stiff, weakly damped corner (algebra only)?
     pub wide: bool,
     /// Centrifugal scale `a` in `kappa / (kappa + a)`.
@@ -72,6 +74,13 @@ impl<C: Stored> Frame<C> {
     /// What the second column is multiplied with to give `1/speed - 1`.
     fn slowing<S: Real>(&self, [kappa, _, c_dis]: [S; 3]) -> S {
         let push = number::<S>(1.0) + kappa;
+        if self.end == End::Overlap {
+            // Grazing grains lose nothing: the contact is over before damping has worked.
+            return match self.law {
+                Law::LinearDashpot => c_dis / push,
+                Law::Viscoelastic => c_dis / (push * push.sqrt()),
+            };
+        }
         let drag = match self.law {
             Law::LinearDashpot => number::<S>(0.6667) * c_dis,
             Law::Viscoelastic if self.wide => {

@@ -24,6 +24,8 @@ pub struct Leaf {
     pub row: u32,
     /// First entry in `coefficients`.
     pub coefficient: u32,
+    /// Number of rows of each column.
+    pub rows: [u8; 3],
     /// Largest number of terms along each axis.
     pub terms: [u8; 3],
     /// Does the third column hold the angle itself (the pair may pass the centre)?
@@ -41,11 +43,13 @@ pub(super) fn evaluate<S: Real, C: Stored>(
         chebyshev(local[1], leaf.terms[1]),
         chebyshev(local[2], leaf.terms[2]),
     ];
-    let mut rows = body.rows.get(leaf.row as usize..)?.iter();
-    let mut coefficients = body.coefficients.get(leaf.coefficient as usize..)?;
+    let mut rows = body.rows.get(leaf.row as usize..)?;
+    let mut coefficients: &[C] = body.coefficients.get(leaf.coefficient as usize..)?;
     let mut columns = [S::from_f32(0.0); 3];
-    for column in &mut columns {
-        *column = expansion(&mut rows, &mut coefficients, &basis)?;
+    for (column, &count) in columns.iter_mut().zip(&leaf.rows) {
+        let (mine, others) = rows.split_at_checked(usize::from(count))?;
+        rows = others;
+        *column = expansion(mine, &mut coefficients, &basis)?;
     }
     Some((columns, leaf.direct))
 }
@@ -79,26 +83,39 @@ fn chebyshev<S: Real>(y: S, terms: u8) -> [S; MAX_TERMS] {
     t
 }
 
-/// One sparse tensor expansion: `sum_i T_i(y0) sum_j T_j(y1) sum_k a_ijk T_k(y2)`.
-fn expansion<'a, S: Real, C: Stored>(
-    rows: &mut core::slice::Iter<'a, u8>,
-    coefficients: &mut &'a [C],
-    basis: &[[S; MAX_TERMS]; 3],
+/// One row of a sparse expansion: its orders along the first two axes and its number of terms along the third.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Sixteen times the order along the first axis, plus the order along the second.
+    pub orders: u8,
+    /// Number of coefficients.
+    pub terms: u8,
+}
+
+/// One sparse tensor expansion: the sum over its rows of `T_i(y0) T_j(y1) sum_k a_ijk T_k(y2)`.
+fn expansion<S: Real, C: Stored>(
+    rows: &[Row],
+    coefficients: &mut &[C],
+    [first, second, third]: &[[S; MAX_TERMS]; 3],
 ) -> Option<S> {
     let zero = S::from_f32(0.0);
+    let mut rest: &[C] = coefficients;
     let mut sum = zero;
-    for &first in &basis[0][..usize::from(*rows.next()?).min(MAX_TERMS)] {
-        let mut plane = zero;
-        for &second in &basis[1][..usize::from(*rows.next()?).min(MAX_TERMS)] {
-            let (row, rest) = coefficients.split_at_checked(usize::from(*rows.next()?))?;
-            *coefficients = rest;
-            let mut line = zero;
-            for (&a, &third) in row.iter().zip(&basis[2]) {
-                line = line + a.get::<S>() * third;
-            }
-            plane = plane + line * second;
+    for row in rows {
+        let (line, others) = rest.split_at_checked(usize::from(row.terms))?;
+        rest = others;
+        let mut value = zero;
+        let (pairs, last) = line.as_chunks::<2>();
+        let mut basis = third.as_chunks::<2>().0.iter();
+        for (&[a, b], &[s, t]) in pairs.iter().zip(&mut basis) {
+            value = value + (a.get::<S>() * s + b.get::<S>() * t);
         }
-        sum = sum + plane * first;
+        if let ([a], Some([t, _])) = (last, basis.next()) {
+            value = value + a.get::<S>() * *t;
+        }
+        let (i, j) = (usize::from(row.orders >> 4), usize::from(row.orders & 15));
+        sum = sum + value * (first[i] * second[j]);
     }
+    *coefficients = rest;
     Some(sum)
 }

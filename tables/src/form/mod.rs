@@ -10,7 +10,7 @@ pub use crate::law::{End, Law};
 pub use certificate::Certificate;
 pub use domain::{Domain, SOFT};
 pub use frame::Frame;
-pub use leaf::{Branch, Leaf, MAX_TERMS};
+pub use leaf::{Branch, Leaf, MAX_TERMS, Row};
 
 /// The dimensionless groups on which one collision depends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,8 +59,6 @@ impl Stored for f64 {
 /// The data of a table, wherever they live.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body<'a, C> {
-    /// The end of the contact.
-    pub end: End,
     /// Where the table answers.
     pub domain: Domain<C>,
     /// Coordinates.
@@ -69,8 +67,8 @@ pub struct Body<'a, C> {
     pub branches: &'a [Branch],
     /// Pieces of the unit cube.
     pub leaves: &'a [Leaf],
-    /// Row lengths of the sparse expansions.
-    pub rows: &'a [u8],
+    /// Rows of the sparse expansions.
+    pub rows: &'a [Row],
     /// Chebyshev coefficients.
     pub coefficients: &'a [C],
 }
@@ -86,7 +84,7 @@ impl<C: Stored> Body<'_, C> {
         let groups = [tan * tan * g.eta, g.eta, g.c_dis];
         let (columns, direct) = leaf::evaluate(self, self.frame.coordinates(groups))?;
         let [tau, speed, angle] = self.frame.unscale(groups, tan * g.eta, direct, columns);
-        let separation = match self.end {
+        let separation = match self.frame.end {
             End::Force => one - g.c_dis * speed * g.eta,
             End::Overlap => one,
         };

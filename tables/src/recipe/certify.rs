@@ -25,7 +25,7 @@ pub(super) fn blank(ask: &Ask, fit: &Fit) -> Certificate {
         usual: NOTHING,
         points: 0,
         // The errors of a wide table have a long tail in corners that no typical collision sees.
-        margin: if ask.frame.wide { 2.0 } else { 1.3 },
+        margin: if ask.frame.wide { 2.0 } else { 1.5 },
         digest: 0,
         citation: CITATION,
     }
@@ -196,7 +196,7 @@ fn digest<C: Store>(body: &Body<'_, C>) -> u64 {
     let mut eat = |byte: u8| hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     eat(u8::from(body.frame.law == Law::Viscoelastic));
     eat(u8::from(body.frame.wide));
-    eat(body.end as u8);
+    eat(body.frame.end as u8);
     let d = &body.domain;
     let f = &body.frame;
     for number in [
@@ -218,9 +218,9 @@ fn digest<C: Store>(body: &Body<'_, C>) -> u64 {
     }
     for l in body.leaves {
         l.row.to_le_bytes().into_iter().chain(l.coefficient.to_le_bytes()).for_each(&mut eat);
-        l.terms.into_iter().chain([u8::from(l.direct)]).for_each(&mut eat);
+        l.rows.into_iter().chain(l.terms).chain([u8::from(l.direct)]).for_each(&mut eat);
     }
-    body.rows.iter().copied().for_each(&mut eat);
+    body.rows.iter().flat_map(|r| [r.orders, r.terms]).for_each(&mut eat);
     body.coefficients.iter().flat_map(|c| c.bytes()).for_each(&mut eat);
     hash
 }

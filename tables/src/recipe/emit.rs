@@ -66,19 +66,20 @@ fn body<C: Store>(out: &mut String, made: &Made<C>, form: &str) {
     let f = &b.frame;
     let _ = writeln!(
         out,
-        "body: {form}::Body {{\nend: {form}::End::{:?},\ndomain: {form}::{:?},\n\
-         frame: {form}::Frame {{ law: {form}::Law::{:?}, wide: {}, kappa_scale: {:?}, \
+        "body: {form}::Body {{\ndomain: {form}::{:?},\n\
+         frame: {form}::Frame {{ law: {form}::Law::{:?}, end: {form}::End::{:?}, wide: {}, kappa_scale: {:?}, \
          softness: {:?}, c_dis: {:?}, bend: {:?} }},",
-        b.end, b.domain, f.law, f.wide, f.kappa_scale, f.softness, f.c_dis, f.bend,
+        b.domain, f.law, f.end, f.wide, f.kappa_scale, f.softness, f.c_dis, f.bend,
     );
     let branches: Vec<String> = b.branches.iter().map(|b| format!("{form}::{b:?}")).collect();
     let leaves: Vec<String> = b.leaves.iter().map(|l| format!("{form}::{l:?}")).collect();
+    let rows: Vec<String> = b.rows.iter().map(|r| format!("{form}::{r:?}")).collect();
     let _ = writeln!(
         out,
-        "branches: &[{}],\nleaves: &[{}],\nrows: &{:?},\ncoefficients: &{:?},\n}},",
+        "branches: &[{}],\nleaves: &[{}],\nrows: &[{}],\ncoefficients: &{:?},\n}},",
         branches.join(", "),
         leaves.join(", "),
-        b.rows,
+        rows.join(", "),
         b.coefficients,
     );
 }

@@ -2,7 +2,7 @@
 
 use super::certify;
 use crate::fit::{Ask, Cube, Fit};
-use crate::form::{Body, Branch, Certificate, Domain, Frame, Leaf, Stored};
+use crate::form::{Body, Branch, Certificate, Domain, Frame, Leaf, Row, Stored};
 use crate::number::Real;
 
 /// The number in which a table is stored.
@@ -57,19 +57,20 @@ pub struct Made<C> {
     frame: Frame<C>,
     branches: Vec<Branch>,
     leaves: Vec<Leaf>,
-    rows: Vec<u8>,
+    rows: Vec<Row>,
     coefficients: Vec<C>,
     pub(super) cubes: Vec<Cube>,
     plan: String,
 }
 
 impl<C: Store> Made<C> {
-    pub(super) fn new(ask: &Ask, fit: Fit, points: usize) -> Self {
-        let mut made = Made {
+    pub(super) fn new(ask: &Ask, fit: Fit) -> Self {
+        Made {
             certificate: certify::blank(ask, &fit),
             domain: stored(&ask.domain),
             frame: Frame {
                 law: ask.frame.law,
+                end: ask.frame.end,
                 wide: ask.frame.wide,
                 kappa_scale: C::from_f64(ask.frame.kappa_scale),
                 softness: C::from_f64(ask.frame.softness),
@@ -82,9 +83,12 @@ impl<C: Store> Made<C> {
             coefficients: fit.coefficients.into_iter().map(C::from_f64).collect(),
             cubes: fit.cubes,
             plan: fit.plan,
-        };
-        made.certificate = certify::certify(ask, &made, points);
-        made
+        }
+    }
+
+    pub(super) fn certified(mut self, ask: &Ask, points: usize) -> Self {
+        self.certificate = certify::certify(ask, &self, points);
+        self
     }
 
     /// The bisection, as the presets keep it.
@@ -95,7 +99,6 @@ impl<C: Store> Made<C> {
     /// The data, to read from.
     pub fn body(&self) -> Body<'_, C> {
         Body {
-            end: self.certificate.end,
             domain: self.domain,
             frame: self.frame,
             branches: &self.branches,

@@ -138,11 +138,11 @@ impl Recipe {
     pub fn generate<C: made::Store>(&self) -> Result<Made<C>, Error> {
         self.check()?;
         let mut tolerance = self.tolerance;
-        for _ in 0..24 {
+        while tolerance < 0.2 {
             let ask = self.ask::<C>(tolerance);
-            let made = Made::<C>::new(&ask, fit(&ask), self.points);
-            if self.bytes_max.is_none_or(|most| made.certificate.bytes <= most) {
-                return Ok(made);
+            let made = Made::<C>::new(&ask, fit(&ask));
+            if self.bytes_max.is_none_or(|most| made.body().bytes() <= most) {
+                return Ok(made.certified(&ask, self.points));
             }
             tolerance *= 1.6;
         }
@@ -210,11 +210,13 @@ impl Recipe {
         let scale = if wide { 1.0 } else { 0.5 };
         let frame = Frame {
             law: self.law,
+            end: self.end,
             wide,
             kappa_scale: scale,
             softness: round(self.domain.softness_max),
             c_dis: round(self.domain.c_dis_max),
             bend: match self.law {
+                _ if self.end == End::Overlap => 0.0,
                 _ if !wide => scale,
                 Law::LinearDashpot => 0.2,
                 Law::Viscoelastic => 0.0,

@@ -4,7 +4,8 @@
 //! An unoptimised build script has no time for the search; what a plan gives is certified all the same.
 
 pub(super) const STANDARD_LINEAR: &str = "\
-    0101kekkekkek101kekkekkek01kekkekkek02kekkek22kekkek0kek0kek2kekmem\
+    01012kekkek12kekkek20kekkekkek12kekkek2kekkek0112kekkek2kekkek12kekkek2kekkek120kekkekkek2\
+    kekkek021kekkek1kek0kekkek22kek0kekkek0kek0kek2kekkek\
     ";
 
 pub(super) const WIDE_LINEAR: &str = "\
@@ -23,8 +24,8 @@ pub(super) const WIDE_LINEAR: &str = "\
     ";
 
 pub(super) const STANDARD_VISCOELASTIC: &str = "\
-    00012kemkek2kgmkek112kemkek2kemkek2kemkek12kemkek02kemkek2kemkek02kekkek220mgmkek0kekkek0k\
-    ekkek\
+    01012kekkek2kekkek2kek0kekkek012kekkek21kekkekkek21kekkekkek0210kekkek0kekkek10kek2kekkekk\
+    ek220kekkek0kekkek0kekkek\
     ";
 
 pub(super) const WIDE_VISCOELASTIC: &str = "\

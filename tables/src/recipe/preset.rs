@@ -4,13 +4,13 @@ use super::{Number, Recipe, plan};
 use crate::form::{Domain, End, Law};
 
 impl Recipe {
-    /// The smallest table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 1e-4.
+    /// The smallest table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 2e-4.
     #[must_use]
     pub fn compact(law: Law) -> Self {
-        Recipe { tolerance: 5e-5, points: 6_000, limit: 400, plan: None, ..Self::standard(law) }
+        Recipe { tolerance: 1e-4, points: 10_000, limit: 110, plan: None, ..Self::standard(law) }
     }
 
-    /// The usual table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 3e-7.
+    /// The usual table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 1e-6.
     #[must_use]
     pub fn standard(law: Law) -> Self {
         Recipe {
@@ -24,9 +24,9 @@ impl Recipe {
                 stick_max: 0.25,
             },
             wide: false,
-            tolerance: 2e-7,
-            loose: 2e-7,
-            limit: 250,
+            tolerance: 5e-7,
+            loose: 5e-7,
+            limit: 160,
             points: 8_000,
             bytes_max: None,
             number: Number::F32,
