@@ -1,5 +1,6 @@
 //! Which tables are embedded? Those that build.rs made for the enabled features; reads nothing at run time.
 
+pub use carom_tables::form;
 pub use carom_tables::form::Stored as Number;
 pub use carom_tables::form::{Certificate, Domain, Groups, Scaled, Table};
 pub use carom_tables::{End, Law};

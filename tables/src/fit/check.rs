@@ -15,11 +15,11 @@ pub(super) struct Check {
 const CHECKS: usize = 80;
 
 impl Check {
-    /// Corners, faces and the inside of a box, as far as they lie in the domain.
+    /// Corners, faces and the inside of a box, as far as they lie in the domain; it may hold only a sliver of it.
     pub fn of(ask: &Ask, cube: &Cube) -> Vec<Check> {
         let mut checks = Vec::new();
         let mut spread = Spread::new(17);
-        for n in 0..4 * CHECKS {
+        for n in 0..50 * CHECKS {
             let y = place(n, &mut spread);
             let groups = ask.frame.groups(cube.at(y));
             if inside(&ask.checked, groups) {
@@ -34,12 +34,10 @@ impl Check {
     }
 }
 
-/// The `n`-th place in a box: first its corners, then its faces, then anywhere.
+/// The `n`-th place in a box: first its corners, then faces and the inside.
 pub(crate) fn place(n: usize, spread: &mut Spread) -> [f64; 3] {
-    const EDGE: f64 = 1e-6;
-    let end = |upper: bool| if upper { 1.0 - EDGE } else { EDGE };
     if n < 8 {
-        return [0, 1, 2].map(|a| end(n >> a & 1 == 1));
+        return [0, 1, 2].map(|a| if n >> a & 1 == 1 { 1.0 - 1e-6 } else { 1e-6 });
     }
     let mut y = [0.0; 3];
     for value in &mut y {
@@ -52,7 +50,9 @@ pub(crate) fn place(n: usize, spread: &mut Spread) -> [f64; 3] {
         };
     }
     if n % 3 == 1 {
-        y[(n / 3) % 3] = end(n.is_multiple_of(2));
+        // A face; the outermost ones lie outside the domain, so come from any distance.
+        let near = libm::pow(10.0, -1.0 - 5.0 * spread.uniform());
+        y[(n / 3) % 3] = if n.is_multiple_of(2) { 1.0 - near } else { near };
     }
     y
 }

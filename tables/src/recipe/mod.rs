@@ -12,7 +12,7 @@ pub mod spread;
 use std::path::Path;
 
 use crate::fit::{Ask, fit};
-use crate::form::{Domain, End, Frame, Law, SOFT};
+use crate::form::{Domain, End, Frame, Groups, Law, SOFT};
 pub use error::Error;
 pub use made::{Made, Number};
 
@@ -68,6 +68,26 @@ impl Recipe {
         self.tables = false;
         self.domain.c_dis_max = c_dis_max;
         self
+    }
+
+    /// Sets `softness_max` and `c_dis_max` so that these collisions are inside.
+    ///
+    /// For one material give the fastest: softness and damping grow with the speed. A viscoelastic
+    /// pair is softest, `eta / cos(alpha) ~ cos^(-1/5)`, where it grazes: give such a collision too.
+    ///
+    /// ```
+    /// use carom_tables::{Law, Recipe, recipe::range::Equal};
+    /// let fastest = Equal { radius: 5e-3, density: 1200.0, speed: 1.0, eccentricity: 0.0 };
+    /// let grazing = Equal { eccentricity: 0.999, ..fastest };
+    /// let hits = [fastest, grazing].map(|hit| hit.viscoelastic(5e6, 0.49, 1e-4));
+    /// let recipe = Recipe::standard(Law::Viscoelastic).covering(&hits);
+    /// ```
+    #[must_use]
+    pub fn covering(self, collisions: &[Groups<f64>]) -> Self {
+        let largest = |of: fn(&Groups<f64>) -> f64| collisions.iter().map(of).fold(1e-9, f64::max);
+        let softness = largest(|g| g.eta / g.cos);
+        let c_dis = largest(|g| g.c_dis);
+        self.softness_max(softness).c_dis_max(c_dis)
     }
 
     /// Smallest `cos(alpha)`; the presets of the stiff domain reach 1e-6.

@@ -45,7 +45,7 @@ impl Recipe {
         let (tolerance, loose, domain) = match law {
             Law::LinearDashpot => (
                 9e-4,
-                7e-3,
+                8e-3,
                 Domain {
                     softness_max: 10.32,
                     c_dis_max: 56.0,
