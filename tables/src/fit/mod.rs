@@ -93,8 +93,10 @@ pub(crate) fn fit(ask: &Ask) -> Fit {
     fit
 }
 
-/// How far bisection may go.
+/// How far bisection may go; a table that would need more keeps a larger error, and its certificate says so.
 const DEPTH: usize = 24;
+/// How many leaves there may be.
+const LEAVES: usize = 2_000;
 
 /// Where typical collisions are rare the goal is loose.
 fn goal(ask: &Ask, typical: &[[f64; 3]]) -> f64 {
@@ -107,7 +109,7 @@ fn search(ask: &Ask, cube: Cube, typical: Vec<[f64; 3]>, depth: usize, fit: &mut
     let checks = Check::of(ask, &cube);
     let mut nodes = ask.start;
     let mut trial = Trial::new(ask, &cube, nodes, goal, &checks);
-    while depth < DEPTH && !trial.keeps(ask, goal) {
+    while depth < DEPTH && fit.leaves.len() < LEAVES && !trial.keeps(ask, goal) {
         let axis = trial.slowest();
         let hopeless = trial.error > ask.patience * goal || trial.count > ask.limit;
         if hopeless || nodes[axis] + 2 > MAX_TERMS {

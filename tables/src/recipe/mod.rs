@@ -226,43 +226,53 @@ impl Recipe {
 
     fn ask<C: made::Store>(&self, tolerance: f64) -> Ask {
         let wide = self.is_wide();
-        let round = |value: f64| C::from_f64(value).to_f64();
-        let scale = if wide { 1.0 } else { 0.5 };
-        let frame = Frame {
-            law: self.law,
-            end: self.end,
-            wide,
-            kappa_scale: scale,
-            softness: round(self.domain.softness_max),
-            c_dis: round(self.domain.c_dis_max),
-            bend: match self.law {
-                _ if self.end == End::Overlap => 0.0,
-                _ if !wide => scale,
-                Law::LinearDashpot => 0.2,
-                Law::Viscoelastic => 0.0,
-            },
-        };
-        let mut domain = self.domain;
-        if !self.tables {
-            // Given by the other limits; what passes the centre counts only for very soft contacts.
-            domain.stick_max = 1.01 * domain.softness_max * domain.c_dis_max;
-            domain.sin_min = if domain.softness_max > f64::from(SOFT) { 0.0099 } else { 0.0 };
-        }
+        let frame = self.frame::<C>(wide);
+        let domain = made::outward::<C>(&self.limits());
         let typical = if self.tables { range::coordinates(&frame) } else { Vec::new() };
         Ask {
             law: self.law,
             end: self.end,
             frame,
-            domain: made::outward::<C>(&domain),
+            domain,
             goal: tolerance,
             loose: self.loose * tolerance / self.tolerance,
             limit: self.limit,
             start: if wide { [6, 4, 6] } else { [10, 4, 10] },
             patience: if wide { 40.0 } else { 1e5 },
-            precise: C::PRECISE,
+            precise: tolerance < 1e-8,
             typical,
             checked: Domain { cos_min: domain.cos_min * if wide { 0.5 } else { 1.0 }, ..domain },
             plan: self.plan,
         }
+    }
+
+    /// The coordinates, their constants as they will be stored.
+    fn frame<C: made::Store>(&self, wide: bool) -> Frame<f64> {
+        let round = |value: f64| C::from_f64(value).to_f64();
+        let bend = match (self.end, wide, self.law) {
+            (End::Overlap, ..) | (End::Force, true, Law::Viscoelastic) => 0.0,
+            (End::Force, true, Law::LinearDashpot) => 0.2,
+            (End::Force, false, _) => 0.5,
+        };
+        Frame {
+            law: self.law,
+            end: self.end,
+            wide,
+            kappa_scale: if wide { 1.0 } else { 0.5 },
+            softness: round(self.domain.softness_max),
+            c_dis: round(self.domain.c_dis_max),
+            bend,
+        }
+    }
+
+    /// The domain; its last two limits follow from the others unless MP13's tables set them.
+    fn limits(&self) -> Domain {
+        let d = self.domain;
+        if self.tables {
+            return d;
+        }
+        let soft = d.softness_max > f64::from(SOFT);
+        let stick_max = 1.01 * d.softness_max * d.c_dis_max;
+        Domain { stick_max, sin_min: if soft { 0.0099 } else { 0.0 }, ..d }
     }
 }

@@ -42,43 +42,40 @@ impl Recipe {
     /// All of MP13's Table I (linear) or Table II (viscoelastic), and more grazing collisions.
     #[must_use]
     pub fn wide(law: Law) -> Self {
-        let (tolerance, loose, domain) = match law {
-            Law::LinearDashpot => (
-                9e-4,
-                8e-3,
-                Domain {
-                    softness_max: 10.32,
-                    c_dis_max: 56.0,
-                    cos_min: 0.02,
-                    sin_min: 0.0099,
-                    stick_max: 16.0,
-                },
-            ),
-            Law::Viscoelastic => (
-                2e-4,
-                1.5e-3,
-                Domain {
-                    softness_max: 0.7,
-                    c_dis_max: 5e6,
-                    cos_min: 0.02,
-                    sin_min: 0.0,
-                    stick_max: 18_800.0,
-                },
-            ),
+        let (tolerance, loose, plan) = match law {
+            Law::LinearDashpot => (9e-4, 8e-3, plan::WIDE_LINEAR),
+            Law::Viscoelastic => (2e-4, 1.5e-3, plan::WIDE_VISCOELASTIC),
         };
         Recipe {
-            domain,
+            domain: ranges(law),
             wide: true,
             tolerance,
             loose,
             limit: 300,
             points: 30_000,
             tables: true,
-            plan: Some(match law {
-                Law::LinearDashpot => plan::WIDE_LINEAR,
-                Law::Viscoelastic => plan::WIDE_VISCOELASTIC,
-            }),
+            plan: Some(plan),
             ..Self::standard(law)
         }
+    }
+}
+
+/// The groups that MP13's Table I or II can give.
+fn ranges(law: Law) -> Domain {
+    match law {
+        Law::LinearDashpot => Domain {
+            softness_max: 10.32,
+            c_dis_max: 56.0,
+            cos_min: 0.02,
+            sin_min: 0.0099,
+            stick_max: 16.0,
+        },
+        Law::Viscoelastic => Domain {
+            softness_max: 0.7,
+            c_dis_max: 5e6,
+            cos_min: 0.02,
+            sin_min: 0.0,
+            stick_max: 18_800.0,
+        },
     }
 }
