@@ -63,7 +63,8 @@ fn interrupt<S: Scalar, const D: usize>(
 ) -> bool {
     let mut any = false;
     for i in grains.into_iter().flatten() {
-        if scene.body(i).is_some_and(Body::in_contact) {
+        if let Some(body) = scene.body(i).filter(|body| body.in_contact()) {
+            scene.counters.put_off += u64::from(scene.now <= body.unbroken_until);
             scene.counters.interrupted += 1;
             end_contact(scene, i, touched);
             any = true;
@@ -188,6 +189,10 @@ fn grains<S: Scalar, const D: usize>(
             gap: -(a.radius + b.radius).to_f64(),
         });
     };
+    if !(touch.radial < S::zero()) {
+        // Put off until a contact could be ended, or grazing within rounding: they part already.
+        return Ok(Deed::Wander);
+    }
     let encounter = touch.encounter(a, b);
     let response = ask(rule, &encounter, &mut scene.counters, (i, Partner::grain(k)))?;
     scene.counters.collisions += 1;
@@ -214,6 +219,13 @@ fn bounce<S: Scalar, const D: usize>(
     Deed::Collision { restitution }
 }
 
+/// Until when a contact that begins now cannot be ended by a third body: a 64th of its duration.
+///
+/// Meanwhile a third body may sink in by v τ/64, a fraction of what it would in a real contact.
+pub(super) fn unbroken<S: Scalar>(now: S, duration: S) -> S {
+    now + duration * S::from_f32(1.0 / 64.0)
+}
+
 /// E^φ: the line of centres turns, both grains take the velocity of their centre of mass, and what
 /// they will have after the contact is kept for E^v (MP13 §VI.B.2).
 fn contact<S: Scalar, const D: usize>(
@@ -236,11 +248,13 @@ fn contact<S: Scalar, const D: usize>(
     }
     let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / mass);
     let release_at = scene.now + outcome.duration;
+    let unbroken_until = unbroken(scene.now, outcome.duration);
     let bound = |body: &Body<S, D>, position, share, partner| Body {
         position,
         velocity: centre,
         release: velocity * share,
         release_at,
+        unbroken_until,
         partner: Partner::grain(partner),
         ..*body
     };

@@ -1,6 +1,6 @@
 //! What happens when a grain touches a plane? Reads the grain, the plane and the rule; writes the grain.
 
-use super::apply::{Deed, ask, without};
+use super::apply::{Deed, ask, unbroken, without};
 use super::scene::Scene;
 use crate::fault::Fault;
 use crate::law::{Encounter, Outcome, Response, Rule};
@@ -15,8 +15,13 @@ pub(super) fn meet<S: Scalar, const D: usize>(
     p: usize,
 ) -> Result<Deed<S>, Fault> {
     let Some(plane) = scene.boundary.planes().get(p).copied() else { return Ok(Deed::Wander) };
-    let body = scene.present(i);
+    let mut body = scene.present(i);
     let radial = plane.normal.dot(&body.velocity);
+    if radial > S::zero() {
+        // The peak of a flight below the surface, where only rounding is left of the speed.
+        body.velocity = without(&body.velocity, &plane.normal);
+    }
+    let radial = radial.smaller(S::zero());
     let response = match plane.surface {
         Surface::Hard(restitution) => Response::Instant(restitution),
         Surface::Rule => {
@@ -62,7 +67,7 @@ fn bounce<S: Scalar, const D: usize>(
 }
 
 /// E^φ against a plane: the grain stays at ε_r R from it for the contact duration; the motion along
-/// the plane goes on.
+/// the plane goes on. If it cannot be put there it stays where it is.
 ///
 /// So that gravity does not press the grain into the plane meanwhile, it starts with the normal
 /// velocity −g_n τ/2 and is back where it was at the end. The momentum m g τ that gravity brings
@@ -78,10 +83,10 @@ fn contact<S: Scalar, const D: usize>(
     let radial = n.dot(&body.velocity);
     let shift =
         body.radius * (outcome.separation - S::one()) - plane.gap(&body.position, body.radius);
-    let position = body.position + n * shift;
+    let mut position = body.position + n * shift;
     if !scene.is_free(i, position, Partner::plane(p)) {
         scene.counters.rotation_refused += 1;
-        return bounce(scene, i, body, plane, outcome.restitution);
+        position = body.position;
     }
     let hold = -n.dot(&scene.gravity) * outcome.duration * S::half();
     let bound = Body {
@@ -89,6 +94,7 @@ fn contact<S: Scalar, const D: usize>(
         velocity: without(&body.velocity, n) + n * hold,
         release: n * (-radial * outcome.restitution),
         release_at: scene.now + outcome.duration,
+        unbroken_until: unbroken(scene.now, outcome.duration),
         partner: Partner::plane(p),
         ..*body
     };

@@ -17,12 +17,13 @@ pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: us
             continue;
         }
         if let Some(span) = pair(scene, &me, other) {
-            earlier(&mut slot, meeting(scene, span, Partner::grain(k)));
+            let from = not_before(&me).larger(not_before(other));
+            earlier(&mut slot, meeting(scene, span, from, Partner::grain(k)));
         }
     }
     for (p, plane) in scene.boundary.planes().iter().enumerate() {
         if let Some(span) = against(scene, &me, p, plane) {
-            earlier(&mut slot, meeting(scene, span, Partner::plane(p)));
+            earlier(&mut slot, meeting(scene, span, not_before(&me), Partner::plane(p)));
         }
     }
     let wander = match &scene.cells.grid {
@@ -115,13 +116,22 @@ fn release<S: Scalar, const D: usize>(me: &Body<S, D>) -> Slot<S> {
     if me.in_contact() { Slot::alone(me.release_at, Kind::Release) } else { Slot::EMPTY }
 }
 
+/// The first instant at which a third body may end the contact that a body is in.
+///
+/// Without it two contacts could end each other for ever at one instant, and soft grains in a corner
+/// would collapse as hard ones do.
+fn not_before<S: Scalar, const D: usize>(body: &Body<S, D>) -> S {
+    if body.in_contact() { body.unbroken_until } else { S::zero() }
+}
+
 fn meeting<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     span: S,
+    from: S,
     partner: Partner,
 ) -> Slot<S> {
     let stamp = partner.as_grain().and_then(|k| scene.body(k)).map_or(0, |body| body.stamp);
-    Slot { time: scene.now + span, kind: Kind::Meet, partner, stamp }
+    Slot { time: (scene.now + span).larger(from), kind: Kind::Meet, partner, stamp }
 }
 
 /// Keeps the earlier of two; at equal times a contact's end, then the lower partner, so that the order

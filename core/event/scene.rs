@@ -32,6 +32,8 @@ pub struct Counters {
     pub rotation_refused: u64,
     /// MP13's exception (b): a third body ended a contact before its time.
     pub interrupted: u64,
+    /// Those of them that had to wait until a 64th of the contact's duration had passed.
+    pub put_off: u64,
     /// Encounters outside the table's domain answered with the nearest inside.
     pub clamped: u64,
     /// Encounters outside the table's domain answered with the hard-sphere rule.
@@ -45,6 +47,16 @@ pub struct Counters {
 }
 
 impl Counters {
+    /// The largest of all.
+    pub(crate) fn largest(&self) -> u64 {
+        let Self { collisions, plane_collisions, releases, rotation_refused, .. } = *self;
+        let Self { interrupted, put_off, clamped, hard_sphere, stale, wanderings, epochs, .. } =
+            *self;
+        let first = [collisions, plane_collisions, releases, rotation_refused, interrupted];
+        let rest = [put_off, clamped, hard_sphere, stale, wanderings, epochs];
+        first.into_iter().chain(rest).fold(0, u64::max)
+    }
+
     /// All events that change a trajectory.
     #[must_use]
     pub fn events(&self) -> u64 {
@@ -138,18 +150,21 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
 
     /// Takes over a saved grid and puts every grain into the cell it says it is in.
     pub fn take_grid(&mut self, grid: Option<Grid<S, D>>) -> Result<(), Fault> {
-        let cells = grid.as_ref().map_or(0, Grid::cells);
-        if !self.cells.start(grid) {
-            let knob = "the heads of cells (N of Memory, or the host's vectors)";
+        let reach = self.largest_radius + self.largest_radius;
+        let fits = grid.as_ref().is_none_or(|grid| grid.fits(&self.boundary, reach));
+        if !(fits && self.cells.start(grid)) {
+            let knob = "the saved cells do not fit the box or the heads of the memory, which";
             return Err(Fault::Full { knob, capacity: self.cells.capacity() });
         }
-        for (i, body) in self.bodies.iter_mut().enumerate().filter(|_| cells > 0) {
-            if body.cell as usize >= cells {
-                let wanted = "the number of a cell";
-                let cell = f64::from(body.cell);
-                return Err(Fault::input(Subject::Grain(i), "cell", cell, wanted));
+        for i in 0..self.bodies.len() {
+            let body = self.present(i);
+            if !grid.as_ref().is_none_or(|grid| grid.holds(body.cell, &body.position)) {
+                let wanted = "the number of the cell that it is in";
+                return Err(Fault::input(Subject::Grain(i), "cell", f64::from(body.cell), wanted));
             }
-            self.cells.insert(i, body.cell);
+            if grid.is_some() {
+                self.cells.insert(i, body.cell);
+            }
         }
         Ok(())
     }
@@ -159,7 +174,7 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
         self.epoch + Instant::from(self.now)
     }
 
-    /// Separation (nearest image) and distance of the surfaces of two bodies at the same time.
+    /// Separation (nearest image) of two bodies at the same time.
     pub fn separation(&self, a: &Body<S, D>, b: &Body<S, D>) -> Vector<S, D> {
         self.boundary.nearest(a.position - b.position)
     }

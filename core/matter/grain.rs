@@ -123,6 +123,8 @@ pub struct Body<S: Scalar, const D: usize> {
     pub(crate) release: Vector<S, D>,
     /// When the contact ends.
     pub(crate) release_at: S,
+    /// Until when no third body may end the contact.
+    pub(crate) unbroken_until: S,
     /// With whom it is in contact.
     pub(crate) partner: Partner,
     /// Changes whenever the trajectory does, so that events predicted before can be told as stale.
@@ -143,6 +145,7 @@ impl<S: Scalar, const D: usize> Body<S, D> {
             mass: grain.mass,
             release: Vector::zeros(),
             release_at: S::NEVER,
+            unbroken_until: S::zero(),
             partner: Partner::NOTHING,
             stamp: 0,
             cell: 0,

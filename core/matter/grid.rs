@@ -1,6 +1,6 @@
 //! Which cell is where? Cuts space into cells; reads the boundary and the density at the start, writes nothing.
 //!
-//! Cells are at least as wide as the largest grain, so only grains in the same or a neighbouring cell
+//! Cells are at least as wide as the largest grain's diameter, so only grains in the same or a neighbouring cell
 //! can touch. The outermost cells of an axis that is not periodic reach to infinity, so the grid is
 //! right for grains anywhere. A periodic axis needs four cells, so that the nearest image of a
 //! neighbour is the one that can touch; where there are fewer, all pairs are neighbours.
@@ -86,6 +86,33 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     pub(super) fn is_sound(&self) -> bool {
         let sound = |l: &Lane<S>| l.count > 0 && l.count <= 1 << 20 && l.width > S::zero();
         self.lanes.iter().all(sound)
+    }
+
+    /// Whether it is a grid for this box and grains of this diameter.
+    pub(crate) fn fits(&self, boundary: &Boundary<S, D>, reach: S) -> bool {
+        self.lanes.iter().enumerate().all(|(axis, lane)| {
+            let length = lane.width * S::from_f64(f64::from(lane.count));
+            let same = match boundary.periodic(axis) {
+                Some(p) => {
+                    let off = (length - p.length).magnitude();
+                    lane.periodic
+                        && lane.low == p.low
+                        && lane.count >= 4
+                        && off < reach * S::from_f32(1e-3)
+                }
+                None => !lane.periodic,
+            };
+            same && lane.low.is_number() && lane.width >= reach
+        })
+    }
+
+    /// Whether a position lies in a cell, or so near that only rounding can tell.
+    pub(crate) fn holds(&self, cell: u32, position: &Vector<S, D>) -> bool {
+        (cell as usize) < self.cells()
+            && self.lanes.iter().zip(position.iter()).enumerate().all(|(axis, (lane, &x))| {
+                let near = -lane.width * S::from_f32(1e-3);
+                self.faces(cell, axis, x).into_iter().flatten().all(|gap| gap >= near)
+            })
     }
 
     /// How many cells there are.

@@ -34,6 +34,17 @@ impl Instant {
         S::from_ticks(self.ticks().saturating_sub(earlier.ticks()))
     }
 
+    /// How long after `earlier` this is, rounded down: `earlier` plus the span is not after this instant.
+    #[must_use]
+    pub(crate) fn span_since<S: Scalar>(self, earlier: Self) -> S {
+        let span: S = self.since(earlier);
+        if earlier + Self::from(span) > self {
+            span - span.magnitude() * S::RESOLUTION
+        } else {
+            span
+        }
+    }
+
     /// This instant as a number of time units; rounded.
     #[must_use]
     pub fn as_f64(self) -> f64 {

@@ -27,7 +27,7 @@ impl Fnv {
         for v in [&body.position, &body.velocity, &body.release] {
             self.vector(v);
         }
-        for x in [body.clock, body.release_at, body.radius, body.mass] {
+        for x in [body.clock, body.release_at, body.unbroken_until, body.radius, body.mass] {
             self.number(x);
         }
         self.word(u64::from(body.partner.word()));

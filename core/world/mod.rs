@@ -1,5 +1,6 @@
 //! How does a user hold a world? Memory, setup, steps, observation, snapshots; reads and writes everything below.
 
+mod check;
 mod digest;
 mod memory;
 mod saved;
@@ -14,7 +15,7 @@ pub use watch::{Happening, View, Watch};
 
 use crate::event::queue::Queue;
 use crate::event::scene::Scene;
-use crate::number::Scalar;
+use crate::number::{Instant, Scalar};
 
 /// Grains, what they are about to do, and the rule they obey.
 ///
@@ -43,6 +44,8 @@ pub struct World<'m, S: Scalar, const D: usize, R> {
     pub(crate) rule: R,
     /// Events since the clock was set back.
     pub(crate) since_epoch: u32,
-    /// Events at the present instant.
+    /// Events since the mark.
     pub(crate) at_once: u32,
+    /// The last instant at which time had visibly moved on.
+    pub(crate) mark: Instant,
 }

@@ -2,12 +2,12 @@
 
 use super::World;
 use super::memory::Lend;
-use crate::event::Slot;
 use crate::event::scene::{Counters, Release};
+use crate::event::{Kind, Slot};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
 use crate::matter::grid::Grid;
-use crate::matter::{Body, Boundary};
+use crate::matter::{Body, Boundary, Partner};
 use crate::number::{Instant, Scalar, Vector};
 
 /// The whole state of a world but its rule. With the feature `serde` it can be serialised.
@@ -33,6 +33,7 @@ pub struct Saved<S: Scalar, const D: usize, B, Q> {
     counters: Counters,
     since_epoch: u32,
     at_once: u32,
+    mark: Instant,
     bodies: B,
     slots: Q,
 }
@@ -51,6 +52,7 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
             counters: self.scene.counters,
             since_epoch: self.since_epoch,
             at_once: self.at_once,
+            mark: self.mark,
             bodies: &*self.scene.bodies,
             slots: &*self.queue.slots,
         }
@@ -72,19 +74,21 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         Q: AsRef<[Slot<S>]>,
     {
         let (bodies, slots) = (saved.bodies.as_ref(), saved.slots.as_ref());
-        check(bodies, slots, saved.now)?;
-        let grains = bodies.iter().map(Body::as_grain);
-        let mut world = World::setup(memory).rule(rule).grains(grains)?.build()?;
+        let planes = saved.boundary.planes().len();
+        check(bodies, slots, saved.now, planes)?;
+        check_counters(&saved.counters)?;
+        let mut setup =
+            World::setup(memory).rule(rule).grains(bodies.iter().map(Body::as_grain))?;
+        setup.boundary = saved.boundary.clone();
+        setup.gravity = saved.gravity;
+        let mut world = setup.release(saved.release).build()?;
         world.scene.bodies.copy_from_slice(bodies);
-        world.scene.boundary = saved.boundary.clone();
-        world.scene.take_grid(saved.grid)?;
-        world.scene.gravity = saved.gravity;
         world.scene.now = saved.now;
+        world.scene.take_grid(saved.grid)?;
         world.scene.epoch = saved.epoch;
-        world.scene.release = saved.release;
         world.scene.counters = saved.counters;
-        world.since_epoch = saved.since_epoch;
-        world.at_once = saved.at_once;
+        (world.since_epoch, world.at_once) = (saved.since_epoch, saved.at_once);
+        world.mark = saved.mark;
         world.queue.slots.copy_from_slice(slots);
         world.queue.rebuild();
         Ok(world)
@@ -96,25 +100,66 @@ fn check<S: Scalar, const D: usize>(
     bodies: &[Body<S, D>],
     slots: &[Slot<S>],
     now: S,
+    planes: usize,
 ) -> Result<(), Fault> {
     let count = bodies.len();
     if slots.len() != count {
         let wanted = "one for each grain";
         return Err(Fault::input(Subject::World, "number of slots", slots.len() as f64, wanted));
     }
-    if !now.is_number() {
-        return Err(Fault::input(Subject::World, "now", now.to_f64(), "a finite number"));
+    if !(now >= S::zero() && now < S::NEVER) {
+        return Err(Fault::input(Subject::World, "now", now.to_f64(), "at least 0 and finite"));
     }
-    let known = |p: crate::matter::Partner| p.as_grain().is_none_or(|k| k < count);
     for (i, (body, slot)) in bodies.iter().zip(slots).enumerate() {
-        let subject = Subject::Grain(i);
-        if !(body.clock <= now) {
-            return Err(Fault::input(subject, "clock", body.clock.to_f64(), "at most the present"));
-        }
-        if !known(body.partner) || !known(slot.partner) {
-            let word = f64::from(body.partner.word());
-            return Err(Fault::input(subject, "partner", word, "the number of a grain or plane"));
+        check_body(i, body, now)?;
+        check_slot(i, slot, now)?;
+        for partner in [body.partner, slot.partner] {
+            let grain = partner.as_grain().is_some_and(|k| k < count && k != i);
+            let plane = partner.as_plane().is_some_and(|p| p < planes);
+            if !(grain || plane || partner == Partner::NOTHING) {
+                let wanted = "another grain, a plane or nothing";
+                let word = f64::from(partner.word());
+                return Err(Fault::input(Subject::Grain(i), "partner", word, wanted));
+            }
         }
     }
     Ok(())
+}
+
+fn check_body<S: Scalar, const D: usize>(i: usize, body: &Body<S, D>, now: S) -> Result<(), Fault> {
+    let no = |field, value: S, wanted| {
+        Err(Fault::input(Subject::Grain(i), field, value.to_f64(), wanted))
+    };
+    if !(body.clock >= S::zero() && body.clock <= now) {
+        return no("clock", body.clock, "at least 0 and at most the present");
+    }
+    if !(body.release_at >= now && body.release_at <= S::NEVER) {
+        return no("release_at", body.release_at, "not before the present");
+    }
+    if !body.unbroken_until.is_number() {
+        return no("unbroken_until", body.unbroken_until, "a finite number");
+    }
+    match body.release.iter().find(|x| !x.is_number()) {
+        Some(&x) => no("release", x, "a finite number"),
+        None => Ok(()),
+    }
+}
+
+fn check_slot<S: Scalar>(i: usize, slot: &Slot<S>, now: S) -> Result<(), Fault> {
+    let idle = slot.kind == Kind::Nothing;
+    let due = slot.time >= now && slot.time < S::NEVER;
+    if idle && slot.time == S::NEVER || !idle && due {
+        return Ok(());
+    }
+    let wanted = "not before the present, and never for a grain without an event";
+    Err(Fault::input(Subject::Grain(i), "time of its event", slot.time.to_f64(), wanted))
+}
+
+/// Counters near the end of their range would overflow.
+fn check_counters(counters: &Counters) -> Result<(), Fault> {
+    if counters.largest() < 1 << 60 {
+        return Ok(());
+    }
+    let wanted = "below 2^60";
+    Err(Fault::input(Subject::World, "a counter", counters.largest() as f64, wanted))
 }

@@ -1,7 +1,7 @@
 //! Is this a world that can run? Reads what the user says, checks each field; writes the memory.
 
-use super::World;
 use super::memory::{Lend, Room};
+use super::{World, check};
 use crate::event::queue::Queue;
 use crate::event::scene::{Counters, Release, Scene};
 use crate::event::{Slot, predict};
@@ -21,8 +21,8 @@ pub struct NoRule;
 pub struct Setup<'m, S: Scalar, const D: usize, R> {
     room: Room<'m, S, D>,
     count: usize,
-    boundary: Boundary<S, D>,
-    gravity: Vector<S, D>,
+    pub(super) boundary: Boundary<S, D>,
+    pub(super) gravity: Vector<S, D>,
     release: Release,
     rule: R,
     /// The first thing that was wrong; told by [`Setup::start`].
@@ -68,8 +68,6 @@ impl<'m, S: Scalar, const D: usize, R> Setup<'m, S, D, R> {
     /// One plane wall. Grains stay where `normal · r ≥ offset`.
     #[must_use]
     pub fn plane(mut self, plane: Plane<S, D>) -> Self {
-        let number = self.boundary.planes().len();
-        self.note(check_plane(&plane, number));
         if !self.boundary.add_plane(plane) {
             let knob = "the list of planes (carom::matter::boundary::MOST_PLANES)";
             self.note(Err(Fault::Full { knob, capacity: MOST_PLANES }));
@@ -93,9 +91,6 @@ impl<'m, S: Scalar, const D: usize, R> Setup<'m, S, D, R> {
         if axis >= D {
             let wanted = "the number of an axis";
             self.note(Err(Fault::input(Subject::Axis(axis), "axis", axis as f64, wanted)));
-        } else if !(low.is_number() && length.is_number() && length > S::zero()) {
-            let wanted = "finite and above 0";
-            self.note(Err(Fault::input(Subject::Axis(axis), "length", length.to_f64(), wanted)));
         }
         self.boundary.set_periodic(axis, Periodic { low, length });
         self
@@ -105,7 +100,6 @@ impl<'m, S: Scalar, const D: usize, R> Setup<'m, S, D, R> {
     #[must_use]
     pub fn gravity(mut self, gravity: [S; D]) -> Self {
         self.gravity = Vector::from(gravity);
-        self.note(finite(Subject::World, "gravity", &self.gravity));
         self
     }
 
@@ -128,8 +122,8 @@ impl<'m, S: Scalar, const D: usize, R> Setup<'m, S, D, R> {
     /// # Errors
     /// [`Fault::Full`] if the memory holds no more, [`Fault::Input`] that names the grain and its field.
     pub fn grain(mut self, grain: Grain<S, D>) -> Result<Self, Fault> {
-        check_grain(&grain, self.count)?;
-        let capacity = self.room.bodies.len().min(self.room.slots.len()).min(self.room.tree.len());
+        check::grain(&grain, self.count)?;
+        let capacity = self.room.capacity();
         let full =
             Fault::Full { knob: "the memory (N of Memory, or the host's vectors)", capacity };
         if self.count >= capacity.min(Partner::MOST_GRAINS) {
@@ -162,9 +156,8 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
     /// # Errors
     /// [`Fault::Input`] for a field, [`Fault::Overlap`] for two bodies that overlap.
     pub fn start(self) -> Result<World<'m, S, D, R>, Fault> {
-        let world = self.build()?;
-        let mut world = world;
-        check_overlaps(&world.scene)?;
+        let mut world = self.build()?;
+        check::overlaps(&world.scene)?;
         world.predict_all();
         Ok(world)
     }
@@ -179,9 +172,10 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
         let tree = tree.get_mut(..self.count).unwrap_or_default();
         let links = links.get_mut(..self.count).unwrap_or_default();
         let largest_radius = bodies.iter().fold(S::zero(), |r, b| r.larger(b.radius));
-        check_box(&self.boundary, largest_radius)?;
-        for body in bodies.iter_mut() {
+        check::space(&self.boundary, &self.gravity, largest_radius)?;
+        for (i, body) in bodies.iter_mut().enumerate() {
             body.position = self.boundary.wrap_from_afar(body.position);
+            check::inside(&self.boundary, i, body)?;
         }
         slots.fill(Slot::EMPTY);
         let reach = largest_radius + largest_radius;
@@ -199,105 +193,35 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
         };
         scene.fill_cells();
         let queue = Queue::new(slots, tree);
-        Ok(World { scene, queue, rule: self.rule, since_epoch: 0, at_once: 0 })
+        Ok(World {
+            scene,
+            queue,
+            rule: self.rule,
+            since_epoch: 0,
+            at_once: 0,
+            mark: Instant::START,
+        })
     }
 }
 
 impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
+    /// A grain's next event. Without cells it is brought back into the box first, so that the nearest
+    /// image is one box length away at most.
+    pub(super) fn predict(&mut self, grain: usize) -> Slot<S> {
+        if self.scene.cells.grid.is_none() {
+            self.scene.rein_in(grain);
+        }
+        predict::next(&self.scene, grain)
+    }
+
     /// Predicts every grain's next event.
     pub(super) fn predict_all(&mut self) {
         for i in 0..self.scene.bodies.len() {
-            let slot = predict::next(&self.scene, i);
+            let slot = self.predict(i);
             if let Some(place) = self.queue.slots.get_mut(i) {
                 *place = slot;
             }
         }
         self.queue.rebuild();
-    }
-}
-
-fn check_plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Result<(), Fault> {
-    let subject = Subject::Plane(number);
-    finite(subject, "normal", &plane.normal)?;
-    let length = plane.normal.dot(&plane.normal).to_f64();
-    if (length - 1.0).abs() > 1e-5 {
-        return Err(Fault::input(subject, "normal's length squared", length, "1"));
-    }
-    if !plane.offset.is_number() {
-        return Err(Fault::input(subject, "offset", plane.offset.to_f64(), "a finite number"));
-    }
-    match plane.surface {
-        Surface::Hard(e) if !(e >= S::zero() && e <= S::one()) => {
-            Err(Fault::input(subject, "restitution", e.to_f64(), "between 0 and 1"))
-        }
-        _ => Ok(()),
-    }
-}
-
-fn check_grain<S: Scalar, const D: usize>(grain: &Grain<S, D>, number: usize) -> Result<(), Fault> {
-    let subject = Subject::Grain(number);
-    for (field, value) in [("radius", grain.radius), ("mass", grain.mass)] {
-        if !(value > S::zero() && value.is_number()) {
-            return Err(Fault::input(subject, field, value.to_f64(), "finite and above 0"));
-        }
-    }
-    finite(subject, "position", &grain.position)?;
-    finite(subject, "velocity", &grain.velocity)
-}
-
-fn check_box<S: Scalar, const D: usize>(boundary: &Boundary<S, D>, radius: S) -> Result<(), Fault> {
-    for (axis, periodic) in boundary.periodic_axes() {
-        if !(Boundary::<S, D>::leash(&periodic, radius) > S::zero()) {
-            let wanted = "more than four times the largest radius";
-            return Err(Fault::input(
-                Subject::Axis(axis),
-                "length",
-                periodic.length.to_f64(),
-                wanted,
-            ));
-        }
-    }
-    Ok(())
-}
-
-/// No two bodies may overlap by more than the rounding of their positions. So little is harmless
-/// (BSFP14), and the state of another run, written out and read in again, has it.
-fn check_overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Result<(), Fault> {
-    for (a, body) in scene.bodies.iter().enumerate() {
-        for b in scene.cells.near(body.cell).filter(|&b| b < a) {
-            let Some(other) = scene.body(b) else { continue };
-            let apart = scene.separation(body, other);
-            let gap = apart.dot(&apart).sqrt() - (body.radius + other.radius);
-            refuse_overlap(a, body, Partner::grain(b), gap)?;
-        }
-        for (p, plane) in scene.boundary.planes().iter().enumerate() {
-            refuse_overlap(a, body, Partner::plane(p), plane.gap(&body.position, body.radius))?;
-        }
-    }
-    Ok(())
-}
-
-fn refuse_overlap<S: Scalar, const D: usize>(
-    grain: usize,
-    body: &Body<S, D>,
-    with: Partner,
-    gap: S,
-) -> Result<(), Fault> {
-    let far = body.position.iter().fold(body.radius, |far, x| far.larger(x.magnitude()));
-    let rounding = S::RESOLUTION * S::from_f32(8.0) * far;
-    if gap >= -rounding {
-        return Ok(());
-    }
-    Err(Fault::Overlap { grain, with, gap: gap.to_f64() })
-}
-
-fn finite<S: Scalar, const D: usize>(
-    subject: Subject,
-    field: &'static str,
-    v: &Vector<S, D>,
-) -> Result<(), Fault> {
-    match v.iter().find(|x| !x.is_number()) {
-        Some(x) => Err(Fault::input(subject, field, x.to_f64(), "a finite number")),
-        None => Ok(()),
     }
 }

@@ -12,6 +12,9 @@ use crate::number::{Instant, Scalar, Vector, all_numbers};
 /// Events that a grain can have at one instant, on average, before the world is called stuck.
 const EVENTS_AT_ONCE: u32 = 256;
 
+/// The part of the world's age by which time must move on to count as another instant: 2^−48.
+const VISIBLE: f64 = 3.552_713_678_800_501e-15;
+
 impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// The next event happens; none if nothing will ever happen again.
     ///
@@ -32,7 +35,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         self.step_until(S::NEVER, watch)
     }
 
-    /// Everything up to and including this instant happens, and it becomes the present.
+    /// Everything up to and including this instant happens, and it becomes the present: exactly, or as
+    /// nearly before it as `S` can tell.
     ///
     /// It does not matter in how many calls one gets there: the state is the same to the last bit.
     ///
@@ -56,8 +60,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         if asked < now {
             return Err(Fault::Past { asked, now });
         }
-        while self.step_until(asked.since(self.scene.epoch), watch)?.is_some() {}
-        self.scene.now = self.scene.now.larger(asked.since(self.scene.epoch));
+        while self.step_until(asked.span_since(self.scene.epoch), watch)?.is_some() {}
+        self.scene.now = self.scene.now.larger(asked.span_since(self.scene.epoch));
         Ok(())
     }
 
@@ -93,20 +97,23 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             }
             self.scene.counters.stale += 1;
             self.scene.now = self.scene.now.larger(slot.time);
-            self.queue.set(grain, predict::next(&self.scene, grain));
+            let slot = self.predict(grain);
+            self.queue.set(grain, slot);
         }
     }
 
-    /// The event's time becomes the present, which never goes back; too many at one instant are a fault.
+    /// The event's time becomes the present, which never goes back; too many before time moves on
+    /// visibly, by 2^−48 of the world's age, are a fault.
     fn move_clock(&mut self, grain: usize, slot: &Slot<S>) -> Result<(), Fault> {
-        if slot.time > self.scene.now {
-            self.scene.now = slot.time;
+        self.scene.now = self.scene.now.larger(slot.time);
+        let at = self.now();
+        if at.since::<f64>(self.mark) > at.as_f64() * VISIBLE {
+            self.mark = at;
             self.at_once = 0;
         }
-        let most = EVENTS_AT_ONCE.saturating_mul(self.scene.bodies.len() as u32);
-        if self.at_once >= most {
-            let (with, at) = (slot.partner, self.now());
-            return Err(Fault::Stuck { grain, with, at, events: self.at_once });
+        let grains = u32::try_from(self.scene.bodies.len()).unwrap_or(u32::MAX);
+        if self.at_once >= EVENTS_AT_ONCE.saturating_mul(grains) {
+            return Err(Fault::Stuck { grain, with: slot.partner, at, events: self.at_once });
         }
         self.at_once += 1;
         Ok(())
@@ -133,7 +140,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             if let Some(field) = self.scene.body(grain).and_then(apply::broken) {
                 return Err(Fault::NotFinite { grain, field, at: self.now() });
             }
-            self.queue.set(grain, predict::next(&self.scene, grain));
+            let slot = self.predict(grain);
+            self.queue.set(grain, slot);
         }
         Ok(())
     }
@@ -153,7 +161,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         for grain in 0..self.scene.bodies.len() {
             let time = self.queue.slot(grain).time;
             if time > far && time < S::NEVER {
-                self.queue.set(grain, predict::next(&self.scene, grain));
+                let slot = self.predict(grain);
+                self.queue.set(grain, slot);
             }
         }
     }
@@ -168,6 +177,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             body.clock = now;
             if body.release_at < S::NEVER {
                 body.release_at -= back;
+                body.unbroken_until -= back;
             }
         }
         for slot in self.queue.slots.iter_mut().filter(|slot| slot.time < S::NEVER) {
@@ -188,6 +198,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Err(Fault::input(Subject::World, "gravity", value, "a finite number"));
         }
         self.set_clocks_back(self.scene.now);
+        self.at_once = 0;
         self.scene.gravity = gravity;
         self.predict_all();
         Ok(())

@@ -8,3 +8,4 @@ mod rooms;
 mod saved;
 mod symmetry;
 mod time;
+mod unbreakable;

@@ -1,0 +1,123 @@
+//! What is wrong with this? Reads grains, boundaries and gravity; writes nothing, names the first bad field.
+
+use crate::event::scene::Scene;
+use crate::fault::{Fault, Subject};
+use crate::matter::{Body, Boundary, Grain, Partner, Plane, Surface};
+use crate::number::{Scalar, Vector};
+
+fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Result<(), Fault> {
+    let subject = Subject::Plane(number);
+    finite(subject, "normal", &plane.normal)?;
+    let length = plane.normal.dot(&plane.normal).to_f64();
+    if (length - 1.0).abs() > 1e-5 {
+        return Err(Fault::input(subject, "normal's length squared", length, "1"));
+    }
+    if !plane.offset.is_number() {
+        return Err(Fault::input(subject, "offset", plane.offset.to_f64(), "a finite number"));
+    }
+    match plane.surface {
+        Surface::Hard(e) if !(e >= S::zero() && e <= S::one()) => {
+            Err(Fault::input(subject, "restitution", e.to_f64(), "between 0 and 1"))
+        }
+        _ => Ok(()),
+    }
+}
+
+pub(super) fn grain<S: Scalar, const D: usize>(
+    grain: &Grain<S, D>,
+    number: usize,
+) -> Result<(), Fault> {
+    let subject = Subject::Grain(number);
+    for (field, value) in [("radius", grain.radius), ("mass", grain.mass)] {
+        if !(value > S::zero() && value.is_number()) {
+            return Err(Fault::input(subject, field, value.to_f64(), "finite and above 0"));
+        }
+    }
+    finite(subject, "position", &grain.position)?;
+    finite(subject, "velocity", &grain.velocity)
+}
+
+/// Every boundary must be one, and they must not contradict each other.
+pub(super) fn space<S: Scalar, const D: usize>(
+    boundary: &Boundary<S, D>,
+    gravity: &Vector<S, D>,
+    radius: S,
+) -> Result<(), Fault> {
+    finite(Subject::World, "gravity", gravity)?;
+    for (number, plane) in boundary.planes().iter().enumerate() {
+        self::plane(plane, number)?;
+    }
+    for (axis, periodic) in boundary.periodic_axes() {
+        let length = periodic.length;
+        let leash = Boundary::<S, D>::leash(&periodic, radius);
+        let roomy = leash >= radius * S::from_f32(0.125) && leash > S::zero();
+        if !(periodic.low.is_number() && length.is_number() && roomy) {
+            let wanted = "finite, above 0 and at least 4.5 times the largest radius";
+            return Err(Fault::input(Subject::Axis(axis), "length", length.to_f64(), wanted));
+        }
+        let across = |plane: &Plane<S, D>| plane.normal.get(axis).is_some_and(|&n| n != S::zero());
+        if let Some(number) = boundary.planes().iter().position(across) {
+            let wanted = "along every periodic axis: a plane cannot stand across one";
+            return Err(Fault::input(Subject::Plane(number), "normal", axis as f64, wanted));
+        }
+    }
+    Ok(())
+}
+
+/// A position so far off that it cannot be wrapped into the box is refused.
+pub(super) fn inside<S: Scalar, const D: usize>(
+    boundary: &Boundary<S, D>,
+    grain: usize,
+    body: &Body<S, D>,
+) -> Result<(), Fault> {
+    for (axis, p) in boundary.periodic_axes() {
+        let x = body.position.get(axis).copied().unwrap_or(p.low);
+        if !(x >= p.low && x <= p.low + p.length) {
+            let wanted = "near enough to the periodic box to be told from its images";
+            return Err(Fault::input(Subject::Grain(grain), "position", x.to_f64(), wanted));
+        }
+    }
+    Ok(())
+}
+
+/// No two bodies may overlap by more than the rounding of their positions. So little is harmless
+/// (BSFP14), and the state of another run, written out and read in again, has it.
+pub(super) fn overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Result<(), Fault> {
+    for (a, body) in scene.bodies.iter().enumerate() {
+        for b in scene.cells.near(body.cell).filter(|&b| b < a) {
+            let Some(other) = scene.body(b) else { continue };
+            let apart = scene.separation(body, other);
+            let gap = apart.dot(&apart).sqrt() - (body.radius + other.radius);
+            refuse_overlap(a, body, Partner::grain(b), gap)?;
+        }
+        for (p, plane) in scene.boundary.planes().iter().enumerate() {
+            refuse_overlap(a, body, Partner::plane(p), plane.gap(&body.position, body.radius))?;
+        }
+    }
+    Ok(())
+}
+
+fn refuse_overlap<S: Scalar, const D: usize>(
+    grain: usize,
+    body: &Body<S, D>,
+    with: Partner,
+    gap: S,
+) -> Result<(), Fault> {
+    let far = body.position.iter().fold(body.radius, |far, x| far.larger(x.magnitude()));
+    let rounding = S::RESOLUTION * S::from_f32(8.0) * far;
+    if gap >= -rounding {
+        return Ok(());
+    }
+    Err(Fault::Overlap { grain, with, gap: gap.to_f64() })
+}
+
+fn finite<S: Scalar, const D: usize>(
+    subject: Subject,
+    field: &'static str,
+    v: &Vector<S, D>,
+) -> Result<(), Fault> {
+    match v.iter().find(|x| !x.is_number()) {
+        Some(x) => Err(Fault::input(subject, field, x.to_f64(), "a finite number")),
+        None => Ok(()),
+    }
+}

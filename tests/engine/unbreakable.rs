@@ -1,0 +1,234 @@
+//! Can the loop be broken? Collapse, corners, quiet worlds, hostile memory and snapshots; each was once a fault of ours.
+
+use crate::gas::damped_spring;
+use carom::event::Slot;
+use carom::law::{HardSphere, LinearDashpot, Outside, Soft, Viscoelastic};
+use carom::matter::cells::Link;
+use carom::matter::{Body, Plane, Surface};
+use carom::world::{Room, Saved};
+use carom::{Fault, Grain, Instant, Lend, Memory, Scalar, World};
+
+const ELASTIC: HardSphere<f64> = HardSphere { restitution: 1.0 };
+
+/// A hard ball under gravity that keeps ε of its speed at each bounce comes to rest at
+/// t = sqrt(2h/g) (1 + ε)/(1 − ε): the loop must stop there, whatever ε and the number type.
+fn collapse<S: Scalar>(epsilon: f64, tolerance: f64) {
+    let s = S::from_f64;
+    let mut memory = Memory::<S, 1, 1>::new();
+    let mut world = World::setup(&mut memory)
+        .hard_walls([[s(0.0), s(100.0)]], s(epsilon))
+        .gravity([s(-10.0)])
+        .rule(HardSphere { restitution: S::one() })
+        .grain(Grain::with_mass(s(0.5), s(1.0)).at([s(1.5)]))
+        .unwrap()
+        .start()
+        .unwrap();
+    let stuck = loop {
+        match world.step() {
+            Ok(Some(_)) => {
+                assert!(world.counters().plane_collisions < 100_000, "{epsilon} runs on")
+            }
+            Ok(None) => panic!("{epsilon}: it cannot fly away"),
+            Err(fault) => break fault,
+        }
+    };
+    let Fault::Stuck { at, .. } = stuck else { panic!("{stuck}") };
+    let rest = 0.2_f64.sqrt() * (1.0 + epsilon) / (1.0 - epsilon);
+    assert!((at.as_f64() / rest - 1.0).abs() < tolerance, "{epsilon}: {at} for {rest}");
+}
+
+#[test]
+fn every_collapse_is_noticed_when_it_happens() {
+    for epsilon in [0.1, 0.5, 0.9, 0.95, 0.99, 0.999] {
+        collapse::<f32>(epsilon, 1e-3);
+        collapse::<f64>(epsilon, 1e-9);
+    }
+}
+
+/// Soft grains pressed into a corner by gravity: contacts that end each other must not stop time.
+#[test]
+fn soft_grains_in_a_corner_keep_going() {
+    for n in [1_u8, 2, 5] {
+        let mut memory = Memory::<f64, 2, 5>::new();
+        let grains = (0..n).map(|i| {
+            let i = f64::from(i);
+            Grain::with_mass(0.5, 1.0).at([2.0 + 1.5 * i, 3.0 + 0.3 * i])
+        });
+        let mut world = World::setup(&mut memory)
+            .walls([[0.0, 10.0]; 2])
+            .gravity([-5.0, -9.81])
+            .rule(Soft::linear_dashpot(damped_spring(), Outside::HardSphere))
+            .grains(grains)
+            .unwrap()
+            .start()
+            .unwrap();
+        world.advance_to(10.0).unwrap_or_else(|fault| panic!("{n} grains: {fault}"));
+        for i in 0..usize::from(n) {
+            let at = world.grain(i).unwrap().position;
+            assert!(at.iter().all(|&x| x > 0.4 && x < 9.6), "{n} grains: {i} is at {at:?}");
+        }
+    }
+}
+
+/// The example on the crate's first page, for longer.
+#[test]
+fn the_first_example_runs_on() {
+    let rubber = Viscoelastic { young: 5.0e6, poisson: 0.4, dissipation: 1.0e-4 };
+    let mut memory = Memory::<f32, 2, 32>::new();
+    let mut world = World::setup(&mut memory)
+        .walls([[0.0, 0.05], [0.0, 0.05]])
+        .gravity([0.0, -9.81])
+        .rule(Soft::viscoelastic(rubber, Outside::HardSphere))
+        .grain(Grain::sphere(1.0e-3, 2500.0).at([0.01, 0.02]).moving([0.1, 0.0]))
+        .unwrap()
+        .grain(Grain::sphere(2.0e-3, 2500.0).at([0.03, 0.02]).moving([-0.1, 0.0]))
+        .unwrap()
+        .start()
+        .unwrap();
+    for turn in 0_u8..40 {
+        let angle = f32::from(turn) * 0.7;
+        world.set_gravity([9.81 * angle.sin(), -9.81 * angle.cos()]).unwrap();
+        let to = 0.05 * f32::from(turn + 1);
+        world.advance_to(to).unwrap_or_else(|fault| panic!("t = {to}: {fault}"));
+    }
+}
+
+/// Gravity set anew every frame must not let grains fly out of a periodic box past each other.
+#[test]
+fn gravity_set_every_frame_hides_no_collision() {
+    let run = |every_frame: bool| {
+        let mut memory = Memory::<f64, 2, 2>::new();
+        let grain = Grain::with_mass(0.5, 1.0);
+        let mut world = World::setup(&mut memory)
+            .periodic([[0.0, 10.0]; 2])
+            .rule(ELASTIC)
+            .grains([
+                grain.at([0.0, 5.0]).moving([1.0, 0.0]),
+                grain.at([5.0, 5.0]).moving([0.0, 0.2]),
+            ])
+            .unwrap()
+            .start()
+            .unwrap();
+        for frame in 1..=80_u8 {
+            world.advance_to(0.5 * f64::from(frame)).unwrap();
+            if every_frame {
+                world.set_gravity([0.0, 0.0]).unwrap();
+            }
+        }
+        world.counters().collisions
+    };
+    assert_eq!(run(false), run(true));
+    assert!(run(true) > 0);
+}
+
+/// An instant that was asked for is not in the past, whatever its rounding.
+#[test]
+fn the_same_instant_can_be_asked_for_twice() {
+    let mut memory = Memory::<f32, 1, 1>::new();
+    let mut world = World::setup(&mut memory)
+        .rule(HardSphere { restitution: 1.0 })
+        .grain(Grain::with_mass(0.5, 1.0).moving([0.3]))
+        .unwrap()
+        .start()
+        .unwrap();
+    for k in 1..1000_u16 {
+        let t = Instant::from(0.1 * f64::from(k));
+        world.advance_to(t).unwrap();
+        assert!(world.now() <= t);
+        world.advance_to(t).unwrap();
+    }
+    for k in 0..1000_u16 {
+        world.advance_to(Instant::from(1.0e6 + 0.01 * f64::from(k))).unwrap();
+    }
+}
+
+/// Memory with one short slice.
+struct Short {
+    bodies: Vec<Body<f64, 1>>,
+    slots: Vec<Slot<f64>>,
+    tree: Vec<u32>,
+    links: Vec<Link>,
+    heads: Vec<u32>,
+}
+
+impl Lend<f64, 1> for Short {
+    fn lend(&mut self) -> Room<'_, f64, 1> {
+        Room {
+            bodies: &mut self.bodies,
+            slots: &mut self.slots,
+            tree: &mut self.tree,
+            links: &mut self.links,
+            heads: &mut self.heads,
+        }
+    }
+}
+
+#[test]
+fn a_short_slice_is_a_full_memory() {
+    for short in 0..4 {
+        let n = |which: usize| if which == short { 1 } else { 2 };
+        let mut memory = Short {
+            bodies: vec![Body::default(); n(0)],
+            slots: vec![Slot::default(); n(1)],
+            tree: vec![0; n(2)],
+            links: vec![Link::default(); n(3)],
+            heads: vec![],
+        };
+        let setup = World::setup(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
+        let second = setup.grain(Grain::with_mass(0.5, 1.0).at([2.0]));
+        assert!(matches!(second, Err(Fault::Full { capacity: 1, .. })), "slice {short}");
+    }
+}
+
+#[test]
+fn boundaries_that_contradict_each_other_are_refused() {
+    let grain = Grain::with_mass(0.5, 1.0);
+    let mut memory = Memory::<f64, 1, 2>::new();
+    let across = Plane { normal: [1.0].into(), offset: 0.0, surface: Surface::Rule };
+    let setup = World::setup(&mut memory).periodic([[0.0, 10.0]]).plane(across);
+    assert!(setup.rule(ELASTIC).grain(grain.at([5.0])).unwrap().start().is_err());
+    let mut memory = Memory::<f64, 1, 2>::new();
+    let setup = World::setup(&mut memory).periodic([[0.0, 2.0 + 1e-9]]);
+    assert!(setup.rule(ELASTIC).grain(grain).unwrap().start().is_err(), "a crawl");
+    let mut memory = Memory::<f64, 1, 2>::new();
+    let setup = World::setup(&mut memory).periodic([[0.0, 1e-3]]);
+    let tiny = Grain::with_mass(1e-5, 1.0);
+    assert!(setup.rule(ELASTIC).grain(tiny.at([1e308])).unwrap().start().is_err(), "too far");
+}
+
+/// Whatever number of a snapshot is broken, the answer is a fault, or a world that runs without panic.
+#[test]
+fn hostile_snapshots_are_refused() {
+    let rule = Soft::linear_dashpot(
+        LinearDashpot { stiffness: 2.0e4, damping: 20.0 },
+        Outside::HardSphere,
+    );
+    let mut memory = Memory::<f64, 2, 4>::new();
+    let grain = Grain::with_mass(0.5, 1.0);
+    let mut world = World::setup(&mut memory)
+        .hard_walls([[0.0, 10.0]; 2], 0.9)
+        .rule(rule)
+        .grains([grain.at([2.0, 2.0]).moving([1.0, 0.3]), grain.at([6.0, 2.5])])
+        .unwrap()
+        .start()
+        .unwrap();
+    world.step().unwrap();
+    let text = serde_json::to_string(&world.save()).unwrap();
+    let refused = [
+        ("\"Hard\":0.9", "\"Hard\":-7.0"),
+        ("\"normal\":[1.0,0.0]", "\"normal\":[7.0,0.0]"),
+        ("\"collisions\":1", "\"collisions\":18446744073709551615"),
+        ("\"kind\":\"Release\"", "\"kind\":\"Nothing\""),
+        ("\"kind\":\"Release\",\"partner\":4294967295", "\"kind\":\"Release\",\"partner\":0"),
+        ("\"cell\":0", "\"cell\":77"),
+    ];
+    for (old, new) in refused {
+        let bad = text.replacen(old, new, 1);
+        assert_ne!(bad, text, "{old} is not in {text}");
+        let saved: Saved<f64, 2, Vec<Body<f64, 2>>, Vec<Slot<f64>>> =
+            serde_json::from_str(&bad).unwrap();
+        let mut memory = Memory::<f64, 2, 4>::new();
+        let restored = World::restore(&mut memory, rule, &saved).map(drop);
+        assert!(restored.is_err() || old.contains("cell"), "{new}");
+    }
+}
