@@ -39,8 +39,8 @@ macro_rules! float {
             fn round_down(self) -> Self {
                 $floor(self)
             }
-            fn power_of_two_below(self) -> Self {
-                <$t>::from_bits(self.to_bits() & !(((1 as $bits) << $mantissa) - 1))
+            fn leading_digits(self) -> Self {
+                <$t>::from_bits(self.to_bits() & !(((1 as $bits) << ($mantissa - 11)) - 1))
             }
             fn inverse_fifth_root(self) -> Self {
                 if self <= 0.0 || !self.is_finite() {
@@ -83,9 +83,9 @@ mod tests {
     }
 
     #[test]
-    fn a_power_of_two_is_the_one_below() {
-        assert_eq!(5.3_f32.power_of_two_below(), 4.0);
-        assert_eq!(4.0_f64.power_of_two_below(), 4.0);
-        assert_eq!(0.3_f64.power_of_two_below(), 0.25);
+    fn leading_digits_are_twelve() {
+        assert_eq!(4097.0_f32.leading_digits(), 4096.0);
+        assert_eq!(4095.5_f64.leading_digits(), 4095.0);
+        assert_eq!(0.75_f64.leading_digits(), 0.75);
     }
 }

@@ -51,8 +51,9 @@ pub trait Scalar:
     fn sine_cosine(self) -> (Self, Self);
     /// The largest whole number not above this one.
     fn round_down(self) -> Self;
-    /// The largest power of two not above this positive number.
-    fn power_of_two_below(self) -> Self;
+    /// The number cut to its leading twelve binary digits: subtracting it is exact for everything up
+    /// to 2¹² times as large.
+    fn leading_digits(self) -> Self;
     /// x^(−1/5) for x > 0, the power in MP13's Eq. (53).
     fn inverse_fifth_root(self) -> Self;
     /// The bits of the value, for a digest.

@@ -20,10 +20,12 @@ use crate::number::{Instant, Scalar};
 /// Grains, what they are about to do, and the rule they obey.
 ///
 /// A world borrows its memory: a [`Memory`] of fixed size on a microcontroller, vectors on a host.
-/// It allocates nothing and its work per event is bounded.
+/// It allocates nothing. The work per event is O(log N) with cells, O(N) without (few grains), and
+/// once every few events per grain O(N) for the clocks.
 ///
 /// Time is kept as an [`crate::Instant`] plus a small scalar, which is set back to almost zero every
-/// few events per grain ([`Scalar::EVENTS_PER_EPOCH`]): precision does not depend on how long it has run.
+/// few events per grain ([`Scalar::EVENTS_PER_EPOCH`]): precision does not depend on how long it has run,
+/// only on how long nothing happened.
 ///
 /// ```
 /// use carom::{Grain, Memory, World, law::HardSphere};

@@ -146,7 +146,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         Ok(())
     }
 
-    /// Sets the clocks back by a power of two once enough events have happened, so that times stay
+    /// Sets the clocks back by the leading digits of now once enough events have happened, so that times stay
     /// small and their last place fine. The subtraction is exact for every event near enough to
     /// matter; those further off are predicted anew.
     fn keep_time(&mut self) {
@@ -155,9 +155,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         if self.since_epoch < enough.saturating_add(8) || !(self.scene.now > S::zero()) {
             return;
         }
-        let back = self.scene.now.power_of_two_below();
+        let back = self.scene.now.leading_digits();
         self.set_clocks_back(back);
-        let far = back * S::from_f32(1_048_576.0);
+        let far = back * S::from_f32(4096.0);
         for grain in 0..self.scene.bodies.len() {
             let time = self.queue.slot(grain).time;
             if time > far && time < S::NEVER {
