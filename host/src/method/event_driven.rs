@@ -84,6 +84,7 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             ("releases", c.releases),
             ("rotation_refused", c.rotation_refused),
             ("interrupted", c.interrupted),
+            ("put_off", c.put_off),
             ("clamped", c.clamped),
             ("hard_sphere", c.hard_sphere),
             ("stale", c.stale),
