@@ -7,7 +7,7 @@ use crate::number::Scalar;
 /// A rule for each pair of `M` materials.
 ///
 /// Row and column are the grains' `material` numbers; the order of the two does not matter: the
-/// entry at [smaller][larger] is used. A material of `M` or more is answered with the last rule.
+/// entry in the row of the smaller and the column of the larger number is used. A material of `M` or more is answered with the last rule.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ByMaterial<R, const M: usize>(pub [[R; M]; M]);
 

@@ -113,7 +113,7 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
 
     /// The separation of the nearest images (minimum image), given that of two positions near the box.
     ///
-    /// Both lie within a quarter of the box's length of it (the leash of [`Boundary::leash`] sees to
+    /// Both lie within a quarter of the box's length of it (the leash sees to
     /// that), so one box length is all there can be to take off.
     #[must_use]
     pub fn nearest(&self, mut separation: Vector<S, D>) -> Vector<S, D> {
