@@ -1,8 +1,8 @@
 //! What happens now? Reads a slot and the rule; writes the bodies it concerns and the counters.
 
-use super::plane;
 use super::scene::{Release, Scene};
 use super::turn::Touch;
+use super::{bounce, plane, rest};
 use crate::fault::Fault;
 use crate::law::{Answer, Encounter, Outcome, Response, Rule, Trust};
 use crate::matter::grid::Stride;
@@ -21,14 +21,38 @@ pub enum Deed<S> {
     Contact(Outcome<S>),
     /// A contact ended (E^v).
     Release,
+    /// A grain came to rest: on a plane, on which it may slide, or frozen among others.
+    Rest,
+    /// A grain at rest was let go.
+    TakeOff,
     /// A third body came before the contact's end, which was drawn forward to now.
     Interruption,
     /// The neighbours were looked at again.
     Wander,
 }
 
-/// The grains whose events must be predicted anew.
-pub(crate) type Touched = heapless::Vec<usize, 4>;
+/// The grains that an event concerns.
+#[derive(Default)]
+pub(crate) struct Affected {
+    /// Their events must be predicted anew.
+    pub again: heapless::Vec<usize, 4>,
+    /// They were at rest until now: those that lie on them must look again.
+    pub woken: heapless::Vec<usize, 4>,
+}
+
+impl Affected {
+    /// This grain's events must be predicted anew. No event concerns more than four grains.
+    pub fn again(&mut self, grain: usize) {
+        if !self.again.contains(&grain) {
+            let _ = self.again.push(grain);
+        }
+    }
+
+    /// This grain was at rest until now.
+    pub fn wakes(&mut self, grain: usize) {
+        let _ = self.woken.push(grain);
+    }
+}
 
 /// Grain `i` meets its partner.
 pub(crate) fn meet<S: Scalar, const D: usize>(
@@ -36,19 +60,19 @@ pub(crate) fn meet<S: Scalar, const D: usize>(
     rule: &impl Rule<S>,
     i: usize,
     partner: Partner,
-    touched: &mut Touched,
+    affected: &mut Affected,
 ) -> Result<Deed<S>, Fault> {
-    let _ = touched.push(i);
+    affected.again(i);
     let other = partner.as_grain();
     if let Some(k) = other {
-        let _ = touched.push(k);
+        affected.again(k);
     }
-    if interrupt(scene, [Some(i), other], touched) {
+    if interrupt(scene, [Some(i), other], affected) {
         return Ok(Deed::Interruption);
     }
     match (other, partner.as_plane()) {
-        (Some(k), _) => grains(scene, rule, i, k),
-        (None, Some(p)) => plane::meet(scene, rule, i, p),
+        (Some(k), _) => grains(scene, rule, [i, k], affected),
+        (None, Some(p)) => plane::meet(scene, rule, i, p, affected),
         (None, None) => Ok(Deed::Wander),
     }
 }
@@ -59,14 +83,14 @@ pub(crate) fn meet<S: Scalar, const D: usize>(
 fn interrupt<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     grains: [Option<usize>; 2],
-    touched: &mut Touched,
+    affected: &mut Affected,
 ) -> bool {
     let mut any = false;
     for i in grains.into_iter().flatten() {
         if let Some(body) = scene.body(i).filter(|body| body.in_contact()) {
-            scene.counters.put_off += u64::from(scene.now <= body.unbroken_until);
+            scene.counters.put_off += u64::from(scene.now <= body.moment);
             scene.counters.interrupted += 1;
-            end_contact(scene, i, touched);
+            end_contact(scene, i, affected);
             any = true;
         }
     }
@@ -77,12 +101,12 @@ fn interrupt<S: Scalar, const D: usize>(
 pub(crate) fn release<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     i: usize,
-    touched: &mut Touched,
+    affected: &mut Affected,
 ) -> Deed<S> {
-    let _ = touched.push(i);
-    let before = touched.len();
-    end_contact(scene, i, touched);
-    scene.counters.releases += 1 + u64::from(touched.len() > before);
+    affected.again(i);
+    let before = affected.again.len();
+    end_contact(scene, i, affected);
+    scene.counters.releases += 1 + u64::from(affected.again.len() > before);
     Deed::Release
 }
 
@@ -90,14 +114,12 @@ pub(crate) fn release<S: Scalar, const D: usize>(
 fn end_contact<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     i: usize,
-    touched: &mut Touched,
+    affected: &mut Affected,
 ) {
     let partner = scene.body(i).and_then(|body| body.partner.as_grain());
     if let Some(k) = partner.filter(|&k| scene.release == Release::Paired && scene.bound(i, k)) {
         set_free(scene, k);
-        if !touched.contains(&k) {
-            let _ = touched.push(k);
-        }
+        affected.again(k);
     }
     set_free(scene, i);
 }
@@ -114,6 +136,7 @@ fn set_free<S: Scalar, const D: usize>(scene: &mut Scene<'_, S, D>, i: usize) {
         velocity,
         release: Vector::zeros(),
         release_at: S::NEVER,
+        moment: scene.now,
         partner: Partner::NOTHING,
         ..body
     };
@@ -177,9 +200,10 @@ fn sound<S: Scalar>(value: S, field: &'static str, positive: bool) -> Result<(),
 fn grains<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     rule: &impl Rule<S>,
-    i: usize,
-    k: usize,
+    who: [usize; 2],
+    affected: &mut Affected,
 ) -> Result<Deed<S>, Fault> {
+    let [i, k] = who;
     let pair = [scene.present(i), scene.present(k)];
     let [a, b] = &pair;
     let Some(touch) = Touch::new(scene.separation(a, b), a.velocity - b.velocity) else {
@@ -197,26 +221,21 @@ fn grains<S: Scalar, const D: usize>(
     let response = ask(rule, &encounter, &mut scene.counters, (i, Partner::grain(k)))?;
     scene.counters.collisions += 1;
     match response {
-        Response::Lasting(outcome) => Ok(contact(scene, [i, k], &pair, &touch, &outcome)),
-        Response::Instant(restitution) => Ok(bounce(scene, [i, k], &pair, &touch, restitution)),
+        Response::Lasting(outcome) => {
+            let slow = [outcome.restitution, outcome.duration];
+            if rest::is_slow(scene, &pair, &touch, slow) {
+                return Ok(rest::lean(scene, who, &pair, &touch, affected));
+            }
+            contact(scene, who, &pair, (&touch, &outcome), affected)
+        }
+        Response::Instant(restitution) => {
+            if rest::is_slow(scene, &pair, &touch, [restitution, S::zero()]) {
+                return Ok(rest::lean(scene, who, &pair, &touch, affected));
+            }
+            bounce::grains(scene, who, &pair, &touch, restitution, affected)
+        }
         Response::Refused { .. } => Ok(Deed::Wander),
     }
-}
-
-/// An instantaneous collision of two grains (MP13 Eq. 63 with the signs right; BSFP14 Eq. 5).
-fn bounce<S: Scalar, const D: usize>(
-    scene: &mut Scene<'_, S, D>,
-    who: [usize; 2],
-    [a, b]: &[Body<S, D>; 2],
-    touch: &Touch<S, D>,
-    restitution: S,
-) -> Deed<S> {
-    let change = touch.e_r * (-(S::one() + restitution) * touch.radial);
-    let mass = a.mass + b.mass;
-    let [i, k] = who;
-    scene.place(i, Body { velocity: a.velocity + change * (b.mass / mass), ..*a });
-    scene.place(k, Body { velocity: b.velocity - change * (a.mass / mass), ..*b });
-    Deed::Collision { restitution }
 }
 
 /// Until when a contact that begins now cannot be ended by a third body: a 64th of its duration.
@@ -232,9 +251,9 @@ fn contact<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     who: [usize; 2],
     pair: &[Body<S, D>; 2],
-    touch: &Touch<S, D>,
-    outcome: &Outcome<S>,
-) -> Deed<S> {
+    (touch, outcome): (&Touch<S, D>, &Outcome<S>),
+    affected: &mut Affected,
+) -> Result<Deed<S>, Fault> {
     let [a, b] = pair;
     let [i, k] = who;
     let (separation, velocity) = touch.after(a.radius + b.radius, outcome);
@@ -244,23 +263,26 @@ fn contact<S: Scalar, const D: usize>(
     let (at_a, at_b) = (a.position + moved * share_a, b.position + moved * share_b);
     if !(scene.is_free(i, at_a, Partner::grain(k)) && scene.is_free(k, at_b, Partner::grain(i))) {
         scene.counters.rotation_refused += 1;
-        return bounce(scene, who, pair, touch, outcome.restitution);
+        return bounce::grains(scene, who, pair, touch, outcome.restitution, affected);
     }
     let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / mass);
-    let release_at = scene.now + outcome.duration;
-    let unbroken_until = unbroken(scene.now, outcome.duration);
     let bound = |body: &Body<S, D>, position, share, partner| Body {
         position,
         velocity: centre,
         release: velocity * share,
-        release_at,
-        unbroken_until,
+        release_at: scene.now + outcome.duration,
+        moment: unbroken(scene.now, outcome.duration),
         partner: Partner::grain(partner),
-        ..*body
+        ..body.let_go()
     };
-    scene.relocate(i, bound(a, at_a, share_a, k));
-    scene.relocate(k, bound(b, at_b, share_b, i));
-    Deed::Contact(*outcome)
+    let (bound_a, bound_b) = (bound(a, at_a, share_a, k), bound(b, at_b, share_b, i));
+    for (x, body, bound) in [(i, a, bound_a), (k, b, bound_b)] {
+        scene.relocate(x, bound);
+        if body.is_held() {
+            rest::wakes(scene, x, affected);
+        }
+    }
+    Ok(Deed::Contact(*outcome))
 }
 
 /// Whether a body can still be computed with; the field that cannot.
@@ -276,9 +298,9 @@ pub(crate) fn wander<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     i: usize,
     code: u32,
-    touched: &mut Touched,
+    affected: &mut Affected,
 ) -> Deed<S> {
-    let _ = touched.push(i);
+    affected.again(i);
     scene.counters.wanderings += 1;
     if scene.cells.grid.is_some() {
         scene.cross(i, Stride::from_code(code));

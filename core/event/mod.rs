@@ -1,11 +1,16 @@
 //! What is the life of one event? predict (when?), queue (who is next?), apply (now); reads matter and law.
 
 pub(crate) mod apply;
+mod bounce;
+pub mod bracket;
+pub(crate) mod order;
 mod plane;
 pub(crate) mod predict;
 pub(crate) mod queue;
+pub(crate) mod rest;
 pub mod root;
 pub(crate) mod scene;
+mod touch;
 pub(crate) mod turn;
 
 pub use apply::Deed;

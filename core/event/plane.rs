@@ -1,7 +1,8 @@
 //! What happens when a grain touches a plane? Reads the grain, the plane and the rule; writes the grain.
 
-use super::apply::{Deed, ask, unbroken, without};
+use super::apply::{Affected, Deed, ask, unbroken, without};
 use super::scene::Scene;
+use super::{bounce, rest};
 use crate::fault::Fault;
 use crate::law::{Encounter, Outcome, Response, Rule};
 use crate::matter::{Body, Partner, Plane, Surface};
@@ -13,26 +14,36 @@ pub(super) fn meet<S: Scalar, const D: usize>(
     rule: &impl Rule<S>,
     i: usize,
     p: usize,
+    affected: &mut Affected,
 ) -> Result<Deed<S>, Fault> {
     let Some(plane) = scene.boundary.planes().get(p).copied() else { return Ok(Deed::Wander) };
     let mut body = scene.present(i);
-    let radial = plane.normal.dot(&body.velocity);
-    if radial > S::zero() {
+    let mut speed = plane.motion(scene.now).speed - plane.normal.dot(&body.velocity);
+    if speed < S::zero() {
         // The peak of a flight below the surface, where only rounding is left of the speed.
-        body.velocity = without(&body.velocity, &plane.normal);
+        body.velocity += plane.normal * speed;
+        speed = S::zero();
     }
-    let radial = radial.smaller(S::zero());
     let response = match plane.surface {
         Surface::Hard(restitution) => Response::Instant(restitution),
         Surface::Rule => {
-            let encounter = encounter(&body, -radial, plane.normal.dot(&scene.gravity));
+            let weight = plane.motion(scene.now).acceleration - plane.normal.dot(&scene.gravity);
+            let encounter = encounter(&body, speed, weight);
             ask(rule, &encounter, &mut scene.counters, (i, Partner::plane(p)))?
         }
     };
     scene.counters.plane_collisions += 1;
     match response {
-        Response::Lasting(outcome) => Ok(contact(scene, (i, p), &body, &plane, &outcome)),
-        Response::Instant(restitution) => Ok(bounce(scene, i, &body, &plane, restitution)),
+        Response::Lasting(outcome) => {
+            let after = [speed * outcome.restitution, outcome.restitution, outcome.duration];
+            if rest::settles(scene, &body, p, after) {
+                return Ok(rest::settle(scene, i, &body, p));
+            }
+            Ok(contact(scene, (i, p), &body, &plane, (speed, &outcome)))
+        }
+        Response::Instant(restitution) => {
+            bounce::plane(scene, (i, p), &body, [speed, restitution], affected)
+        }
         Response::Refused { .. } => Ok(Deed::Wander),
     }
 }
@@ -53,51 +64,44 @@ fn encounter<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: S) -> En
     }
 }
 
-fn bounce<S: Scalar, const D: usize>(
-    scene: &mut Scene<'_, S, D>,
-    i: usize,
-    body: &Body<S, D>,
-    plane: &Plane<S, D>,
-    restitution: S,
-) -> Deed<S> {
-    let radial = plane.normal.dot(&body.velocity);
-    let change = plane.normal * (-(S::one() + restitution) * radial);
-    scene.place(i, Body { velocity: body.velocity + change, ..*body });
-    Deed::Collision { restitution }
-}
-
 /// E^φ against a plane: the grain stays at ε_r R from it for the contact duration; the motion along
 /// the plane goes on. If it cannot be put there it stays where it is.
 ///
-/// So that gravity does not press the grain into the plane meanwhile, it starts with the normal
-/// velocity −g_n τ/2 and is back where it was at the end. The momentum m g τ that gravity brings
-/// during a real contact is left out: an error of gτ in the velocity, gτ/v_n relative to the impact.
+/// So that gravity and the plane's own motion do not press the grain into the plane meanwhile, it
+/// starts with the normal velocity ż₀ + (z̈₀ − g_n) τ/2 and is at the same distance at the end. The
+/// momentum that they bring during a real contact is left out: an error of (z̈₀ − g_n) τ in the
+/// velocity. A grain too slow to outlast it comes to rest instead.
 fn contact<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     (i, p): (usize, usize),
     body: &Body<S, D>,
     plane: &Plane<S, D>,
-    outcome: &Outcome<S>,
+    (speed, outcome): (S, &Outcome<S>),
 ) -> Deed<S> {
     let n = &plane.normal;
-    let radial = n.dot(&body.velocity);
-    let shift =
-        body.radius * (outcome.separation - S::one()) - plane.gap(&body.position, body.radius);
+    let shift = body.radius * (outcome.separation - S::one())
+        - plane.gap(&body.position, body.radius, scene.now);
     let mut position = body.position + n * shift;
     if !scene.is_free(i, position, Partner::plane(p)) {
         scene.counters.rotation_refused += 1;
         position = body.position;
     }
-    let hold = -n.dot(&scene.gravity) * outcome.duration * S::half();
+    let release_at = scene.now + outcome.duration;
+    let (now, later) = (plane.motion(scene.now), plane.motion(release_at));
+    let along = match plane.vibration {
+        Some(_) => (later.place - now.place) / outcome.duration.larger(S::RESOLUTION * scene.now),
+        None => S::zero(),
+    };
+    let hold = along - n.dot(&scene.gravity) * outcome.duration * S::half();
     let bound = Body {
         position,
         velocity: without(&body.velocity, n) + n * hold,
-        release: n * (-radial * outcome.restitution),
-        release_at: scene.now + outcome.duration,
-        unbroken_until: unbroken(scene.now, outcome.duration),
+        release: n * (later.speed + speed * outcome.restitution),
+        release_at,
+        moment: unbroken(scene.now, outcome.duration),
         partner: Partner::plane(p),
         ..*body
     };
-    scene.relocate(i, bound);
+    scene.relocate(i, bound.let_go());
     Deed::Contact(*outcome)
 }

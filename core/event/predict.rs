@@ -1,76 +1,73 @@
 //! When is a grain's next event? Reads the scene; writes nothing, returns the earliest slot.
 
+use super::bracket::Found;
 use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
+use super::touch;
 use crate::matter::grid::{Grid, Stride};
-use crate::matter::{Body, Boundary, Partner, Plane, flight};
+use crate::matter::{Body, Boundary, Partner, flight};
 use crate::number::Scalar;
 
 /// The earliest event of this grain.
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
     let me = scene.present(grain);
-    let mut slot = release(&me);
+    let mut slot = own(scene, &me);
+    let wander = wander(scene, &me);
+    let least = |slot: &Slot<S>| slot.time.smaller(wander.time) - scene.now;
     for k in scene.cells.near(me.cell) {
         let Some(other) = scene.body(k).filter(|_| k != grain) else { continue };
         if me.partner == Partner::grain(k) && other.partner == Partner::grain(grain) {
             continue;
         }
-        if let Some(span) = pair(scene, &me, other) {
-            let from = not_before(&me).larger(not_before(other));
-            earlier(&mut slot, meeting(scene, span, from, Partner::grain(k)));
-        }
+        let found = touch::pair(scene, &me, other, least(&slot));
+        let from = not_before(&me).larger(not_before(other));
+        meeting(scene, &mut slot, found, from, Partner::grain(k));
     }
     for (p, plane) in scene.boundary.planes().iter().enumerate() {
-        if let Some(span) = against(scene, &me, p, plane) {
-            earlier(&mut slot, meeting(scene, span, not_before(&me), Partner::plane(p)));
+        if me.partner != Partner::plane(p) && !me.rests_on(p) {
+            let found = touch::plane(scene, &me, plane, least(&slot));
+            meeting(scene, &mut slot, found, not_before(&me), Partner::plane(p));
         }
     }
-    let wander = match &scene.cells.grid {
-        Some(grid) => crossing(scene, grid, &me),
-        None => leash(scene, &me).map(|span| (span, 0)),
-    };
-    if let Some((span, stamp)) = wander {
-        let wander = Slot { stamp, ..Slot::alone(scene.now + span, Kind::Wander) };
-        earlier(&mut slot, wander);
-    }
+    earlier(&mut slot, wander);
     slot
+}
+
+/// The stamp of a look around that crosses no face.
+const NO_FACE: u32 = u32::MAX;
+
+/// What happens to a body by itself: its contact ends, or its plate falls away.
+fn own<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -> Slot<S> {
+    if me.in_contact() {
+        return Slot::alone(me.release_at, Kind::Release);
+    }
+    match touch::take_off(scene, me) {
+        Found::Event(span) => Slot::alone(scene.now + span, Kind::TakeOff),
+        Found::NotBefore(span) => look_again(scene, span),
+        Found::Nothing => Slot::EMPTY,
+    }
+}
+
+fn look_again<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, span: S) -> Slot<S> {
+    Slot { stamp: NO_FACE, ..Slot::alone(scene.now + span, Kind::Wander) }
+}
+
+/// When the body gets out of reach of the neighbours that were looked at.
+fn wander<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -> Slot<S> {
+    let first = match &scene.cells.grid {
+        Some(grid) => crossing(scene, grid, me),
+        None => leash(scene, me).map(|span| (span, NO_FACE)),
+    };
+    first.map_or(Slot::EMPTY, |(span, stamp)| {
+        Slot { stamp, ..Slot::alone(scene.now + span, Kind::Wander) }
+    })
 }
 
 /// Whether a predicted event is void because the partner's trajectory has changed since.
 pub(crate) fn is_stale<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, slot: &Slot<S>) -> bool {
     let partner = slot.partner.as_grain().and_then(|k| scene.body(k));
     partner.is_some_and(|body| body.stamp != slot.stamp)
-}
-
-/// When the two touch: BSFP14's rule. Uniform gravity leaves their relative motion straight.
-///
-/// A pair in contact has one velocity copied twice; it is skipped by the caller so that rounding of
-/// two clocks cannot make it meet itself.
-fn pair<S: Scalar, const D: usize>(
-    scene: &Scene<'_, S, D>,
-    me: &Body<S, D>,
-    other: &Body<S, D>,
-) -> Option<S> {
-    let span = scene.now - other.clock;
-    let position = flight::position_after(other, &scene.gravity, span);
-    let velocity = me.velocity - flight::velocity_after(other, &scene.gravity, span);
-    let separation = scene.boundary.nearest(me.position - position);
-    root::spheres(&separation, &velocity, me.radius + other.radius)
-}
-
-/// When the grain touches a plane. The plane it is in contact with does not count.
-fn against<S: Scalar, const D: usize>(
-    scene: &Scene<'_, S, D>,
-    me: &Body<S, D>,
-    number: usize,
-    plane: &Plane<S, D>,
-) -> Option<S> {
-    if me.partner == Partner::plane(number) {
-        return None;
-    }
-    let gap = plane.gap(&me.position, me.radius);
-    root::plane(gap, plane.normal.dot(&me.velocity), plane.normal.dot(&scene.gravity))
 }
 
 /// When the grain leaves its cell, and through which face.
@@ -83,27 +80,40 @@ fn crossing<S: Scalar, const D: usize>(
     me: &Body<S, D>,
 ) -> Option<(S, u32)> {
     let mut first = None::<(S, u32)>;
-    let motion = me.position.iter().zip(me.velocity.iter()).zip(scene.gravity.iter());
-    for (axis, ((&x, &v), &g)) in motion.enumerate() {
+    let acceleration = flight::acceleration(me, scene.field());
+    let motion = me.position.iter().zip(me.velocity.iter()).zip(acceleration.iter());
+    for (axis, ((&x, &v), &a)) in motion.enumerate() {
         let [low, high] = grid.faces(me.cell, axis, x);
-        let down = low.and_then(|gap| root::plane(gap, v, g)).map(|t| (t, false));
-        let up = high.and_then(|gap| root::plane(gap, -v, -g)).map(|t| (t, true));
-        for (span, up) in [down, up].into_iter().flatten() {
+        let shaken = touch::is_shaken(scene, me, axis);
+        for (gap, up) in [(low, false), (high, true)] {
+            let Some(gap) = gap else { continue };
+            let (v, a) = if up { (-v, -a) } else { (v, a) };
+            let code = Stride { axis, up }.code();
+            let found = match shaken {
+                true => touch::shaken_face(scene, me, axis, gap, up),
+                false => root::plane(gap, v, a).map_or(Found::Nothing, Found::Event),
+            };
+            let (span, code) = match found {
+                Found::Event(span) => (span, code),
+                Found::NotBefore(span) => (span, NO_FACE),
+                Found::Nothing => continue,
+            };
             if first.is_none_or(|(least, _)| span < least) {
-                first = Some((span, Stride { axis, up }.code()));
+                first = Some((span, code));
             }
         }
     }
     first
 }
 
-/// When the grain has flown to the end of its leash along a periodic axis.
+/// When the grain has flown to the end of its leash along a periodic axis. No plate moves along one.
 fn leash<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -> Option<S> {
     let mut first = None::<S>;
+    let acceleration = flight::acceleration(me, scene.field());
     for (axis, periodic) in scene.boundary.periodic_axes() {
         let far = Boundary::<S, D>::leash(&periodic, scene.largest_radius);
-        let (v, g) = (me.velocity.get(axis), scene.gravity.get(axis));
-        let span = v.zip(g).and_then(|(&v, &g)| root::leaving(far, v, g));
+        let (v, a) = (me.velocity.get(axis), acceleration.get(axis));
+        let span = v.zip(a).and_then(|(&v, &a)| root::leaving(far, v, a));
         first = match (first, span) {
             (Some(a), Some(b)) => Some(a.smaller(b)),
             (a, b) => a.or(b),
@@ -112,26 +122,31 @@ fn leash<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) ->
     first
 }
 
-fn release<S: Scalar, const D: usize>(me: &Body<S, D>) -> Slot<S> {
-    if me.in_contact() { Slot::alone(me.release_at, Kind::Release) } else { Slot::EMPTY }
-}
-
 /// The first instant at which a third body may end the contact that a body is in.
 ///
 /// Without it two contacts could end each other for ever at one instant, and soft grains in a corner
 /// would collapse as hard ones do.
 fn not_before<S: Scalar, const D: usize>(body: &Body<S, D>) -> S {
-    if body.in_contact() { body.unbroken_until } else { S::zero() }
+    if body.in_contact() { body.moment } else { S::zero() }
 }
 
+/// Takes the meeting into account: not before `from`, and a look again where the search paused.
 fn meeting<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
-    span: S,
+    slot: &mut Slot<S>,
+    found: Found<S>,
     from: S,
     partner: Partner,
-) -> Slot<S> {
-    let stamp = partner.as_grain().and_then(|k| scene.body(k)).map_or(0, |body| body.stamp);
-    Slot { time: (scene.now + span).larger(from), kind: Kind::Meet, partner, stamp }
+) {
+    match found {
+        Found::Event(span) => {
+            let stamp = partner.as_grain().and_then(|k| scene.body(k)).map_or(0, |b| b.stamp);
+            let time = (scene.now + span).larger(from);
+            earlier(slot, Slot { time, kind: Kind::Meet, partner, stamp });
+        }
+        Found::NotBefore(span) => earlier(slot, look_again(scene, span)),
+        Found::Nothing => {}
+    }
 }
 
 /// Keeps the earlier of two; at equal times a contact's end, then the lower partner, so that the order

@@ -15,6 +15,10 @@ pub enum Kind {
     Meet,
     /// Its contact ends (E^v of MP13).
     Release,
+    /// The plate that carries it falls away faster than it falls.
+    TakeOff,
+    /// What holds it may have gone.
+    Check,
     /// It leaves its cell, or has flown so far that its neighbours must be looked at again.
     Wander,
     /// Nothing will happen to it.
@@ -83,6 +87,31 @@ impl<'m, S: Scalar> Queue<'m, S> {
             *place = slot;
             self.replay(grain);
         }
+    }
+
+    /// Visits the grains whose events are at this time, the earliest of all, until a visit says it is enough.
+    pub(crate) fn tied(&self, time: S, visit: &mut impl FnMut(usize) -> bool) {
+        match self.slots.len() {
+            0 => {}
+            1 => {
+                visit(0);
+            }
+            _ => {
+                self.tied_below(1, time, visit);
+            }
+        }
+    }
+
+    /// As deep as the tree is high: at most 32.
+    fn tied_below(&self, node: usize, time: S, visit: &mut impl FnMut(usize) -> bool) -> bool {
+        let winner = self.winner(node);
+        if !(self.slot(winner).time <= time) {
+            return true;
+        }
+        if node >= self.slots.len() {
+            return visit(winner);
+        }
+        self.tied_below(2 * node, time, visit) && self.tied_below(2 * node + 1, time, visit)
     }
 
     /// Plays every match again.

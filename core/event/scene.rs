@@ -3,7 +3,7 @@
 use crate::fault::{Fault, Subject};
 use crate::matter::cells::Cells;
 use crate::matter::grid::{Grid, Stride};
-use crate::matter::{Body, Boundary, Partner, flight};
+use crate::matter::{Body, Boundary, Field, Partner, flight};
 use crate::number::{Instant, Scalar, Vector};
 
 /// How a contact ends for its two grains when a third body interrupts it (MP13 §VI.B.5, exception b).
@@ -38,6 +38,18 @@ pub struct Counters {
     pub clamped: u64,
     /// Encounters outside the table's domain answered with the hard-sphere rule.
     pub hard_sphere: u64,
+    /// Grains that came to rest, on a plane or on others.
+    pub rests: u64,
+    /// Grains at rest that were let go: their plate fell away faster than they fall, or they were hit.
+    pub take_offs: u64,
+    /// Collisions made elastic by the TC rule: the last one was less than t_c ago.
+    pub within_tc: u64,
+    /// Collisions made elastic because a collapse would not have ended.
+    pub collapses: u64,
+    /// Slow collisions with a grain at rest, which gave way only as far as its supports let it.
+    pub propped: u64,
+    /// Collisions put before others of the same instant because they were faster (LRV).
+    pub reordered: u64,
     /// Predicted events that another event had made void.
     pub stale: u64,
     /// Flights into another cell, or so far that the neighbours had to be looked at again.
@@ -52,9 +64,11 @@ impl Counters {
         let Self { collisions, plane_collisions, releases, rotation_refused, .. } = *self;
         let Self { interrupted, put_off, clamped, hard_sphere, stale, wanderings, epochs, .. } =
             *self;
+        let Self { rests, take_offs, within_tc, collapses, propped, reordered, .. } = *self;
         let first = [collisions, plane_collisions, releases, rotation_refused, interrupted];
         let rest = [put_off, clamped, hard_sphere, stale, wanderings, epochs];
-        first.into_iter().chain(rest).fold(0, u64::max)
+        let calm = [rests, take_offs, within_tc, collapses, propped, reordered];
+        first.into_iter().chain(rest).chain(calm).fold(0, u64::max)
     }
 
     /// All events that change a trajectory.
@@ -76,6 +90,8 @@ pub(crate) struct Scene<'m, S: Scalar, const D: usize> {
     pub epoch: Instant,
     pub largest_radius: S,
     pub release: Release,
+    /// The TC rule's contact duration t_c; 0 without the rule.
+    pub t_c: S,
     pub counters: Counters,
 }
 
@@ -83,9 +99,14 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
     /// The body as it is now. An index out of range gives an empty place; none is ever asked for.
     pub fn present(&self, grain: usize) -> Body<S, D> {
         match self.bodies.get(grain) {
-            Some(body) => flight::at(body, &self.gravity, self.now),
+            Some(body) => flight::at(body, self.field(), self.now),
             None => Body::default(),
         }
+    }
+
+    /// What moves grains between events.
+    pub fn field(&self) -> Field<'_, S, D> {
+        Field { gravity: &self.gravity, boundary: &self.boundary }
     }
 
     /// The body as it was kept, at its own clock.
@@ -199,7 +220,7 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
 
     /// Whether `me` at `position` keeps clear of another body, wherever that is now.
     fn free_of(&self, me: &Body<S, D>, position: Vector<S, D>, other: &Body<S, D>) -> bool {
-        let there = flight::position_after(other, &self.gravity, self.now - other.clock);
+        let there = flight::at(other, self.field(), self.now).position;
         let reach = me.radius + other.radius;
         let then = self.boundary.nearest(position - there);
         if then.dot(&then) >= reach * reach {
@@ -212,8 +233,8 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
     fn free_of_planes(&self, me: &Body<S, D>, position: Vector<S, D>, except: Partner) -> bool {
         let planes = self.boundary.planes().iter().enumerate();
         planes.filter(|&(p, _)| Partner::plane(p) != except).all(|(_, plane)| {
-            let then = plane.gap(&position, me.radius);
-            then >= S::zero() || then >= plane.gap(&me.position, me.radius)
+            let then = plane.gap(&position, me.radius, self.now);
+            then >= S::zero() || then >= plane.gap(&me.position, me.radius, self.now)
         })
     }
 }

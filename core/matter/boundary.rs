@@ -1,48 +1,10 @@
 //! Where does space end? Periodic axes and planes; reads positions, writes wrapped ones.
 
-use crate::number::{Scalar, Vector};
+use super::plane::Plane;
+use crate::number::{Instant, Scalar, Vector};
 
 /// How many planes a world can have.
 pub const MOST_PLANES: usize = 8;
-
-/// What a plane does to a grain that touches it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Surface<S> {
-    /// The world's rule decides: the law with infinite mass, without rotation.
-    Rule,
-    /// An instantaneous reflection with this coefficient of restitution, whatever the rule is.
-    Hard(S),
-}
-
-/// A plane wall: grains stay where `normal · r ≥ offset` (plus their radius).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Plane<S: Scalar, const D: usize> {
-    /// Unit vector into the allowed side.
-    pub normal: Vector<S, D>,
-    /// Distance of the plane from the origin along the normal.
-    pub offset: S,
-    /// What it does.
-    pub surface: Surface<S>,
-}
-
-impl<S: Scalar, const D: usize> Plane<S, D> {
-    /// The plane at `at` across `axis`, allowing what is above it (or below).
-    pub(crate) fn across(axis: usize, at: S, above: bool, surface: Surface<S>) -> Self {
-        let sign = if above { S::one() } else { -S::one() };
-        let mut normal = Vector::<S, D>::zeros();
-        if let Some(n) = normal.get_mut(axis) {
-            *n = sign;
-        }
-        Self { normal, offset: sign * at, surface }
-    }
-
-    /// How far a grain of this radius, centred there, is from touching; negative if it overlaps.
-    pub(crate) fn gap(&self, position: &Vector<S, D>, radius: S) -> S {
-        self.normal.dot(position) - self.offset - radius
-    }
-}
 
 /// A periodic axis from `low` to `low + length`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,6 +42,13 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
     /// Adds a plane; false if there is no place for it.
     pub(crate) fn add_plane(&mut self, plane: Plane<S, D>) -> bool {
         self.planes.push(plane).is_ok()
+    }
+
+    /// From now on clocks count from this epoch.
+    pub(crate) fn start_epoch(&mut self, epoch: Instant) {
+        for vibration in self.planes.iter_mut().filter_map(|plane| plane.vibration.as_mut()) {
+            vibration.start_epoch(epoch);
+        }
     }
 
     /// What a periodic axis is; none if it is not one.

@@ -1,38 +1,91 @@
-//! Where is a grain at a time? Free flight under uniform gravity: the only place where time moves a position.
+//! Where is a grain at a time? Free flight, sliding on planes, riding on plates: the only place where time moves a position.
 
+use super::boundary::Boundary;
 use super::grain::Body;
+use super::plane::Plane;
 use crate::number::{Scalar, Vector};
 
-/// The grain's position after flying for `span`, gravity being `g`: r + v t + g t²/2.
-pub fn position_after<S: Scalar, const D: usize>(
-    body: &Body<S, D>,
-    g: &Vector<S, D>,
-    span: S,
-) -> Vector<S, D> {
-    body.position + (body.velocity + g * (span * S::half())) * span
+/// What moves grains between events: gravity, and the planes that hold those at rest on them.
+#[derive(Clone, Copy)]
+pub struct Field<'a, S: Scalar, const D: usize> {
+    /// Uniform gravity.
+    pub gravity: &'a Vector<S, D>,
+    /// The planes, and how they move.
+    pub boundary: &'a Boundary<S, D>,
 }
 
-/// The grain's velocity after flying for `span`: v + g t.
-pub fn velocity_after<S: Scalar, const D: usize>(
+/// The grain's constant acceleration: gravity, less what holds it.
+pub fn acceleration<S: Scalar, const D: usize>(
     body: &Body<S, D>,
-    g: &Vector<S, D>,
-    span: S,
+    field: Field<'_, S, D>,
 ) -> Vector<S, D> {
-    body.velocity + g * span
+    if !body.is_held() {
+        return *field.gravity;
+    }
+    if body.is_frozen() {
+        return Vector::zeros();
+    }
+    let mut held = *field.gravity;
+    // A second round is for planes that are not at right angles.
+    for _ in 0..2 {
+        for (p, plane) in field.boundary.planes().iter().enumerate() {
+            let pushed = plane.normal.dot(&held);
+            if body.rests_on(p) && (pushed < S::zero() || plane.vibration.is_some()) {
+                held -= plane.normal * pushed;
+            }
+        }
+    }
+    held
 }
 
-/// The grain at time `now`, its clock set there; everything else as it was.
-pub fn at<S: Scalar, const D: usize>(body: &Body<S, D>, g: &Vector<S, D>, now: S) -> Body<S, D> {
+/// The vibrating plate that carries a body, if one does.
+pub fn plate<'a, S: Scalar, const D: usize>(
+    body: &Body<S, D>,
+    field: Field<'a, S, D>,
+) -> Option<&'a Plane<S, D>> {
+    let planes = field.boundary.planes().iter().enumerate();
+    let mut vibrating = planes.filter(|(_, plane)| plane.vibration.is_some());
+    if body.is_held() {
+        vibrating.find(|&(p, _)| body.rests_on(p)).map(|(_, plane)| plane)
+    } else {
+        None
+    }
+}
+
+/// The body at time `now`, its clock set there; everything else as it was: r + v t + g t²/2.
+pub fn at<S: Scalar, const D: usize>(
+    body: &Body<S, D>,
+    field: Field<'_, S, D>,
+    now: S,
+) -> Body<S, D> {
     let span = now - body.clock;
+    if !body.is_held() {
+        return fly(body, field.gravity, span, now);
+    }
+    let mut there = fly(body, &acceleration(body, field), span, now);
+    if let Some(plate) = plate(body, field) {
+        let (then, later, normal) = (plate.motion(body.clock), plate.motion(now), &plate.normal);
+        there.position += normal * ((later.place - then.place) - then.speed * span);
+        there.velocity += normal * (later.speed - then.speed);
+    }
+    there
+}
+
+fn fly<S: Scalar, const D: usize>(
+    body: &Body<S, D>,
+    a: &Vector<S, D>,
+    span: S,
+    now: S,
+) -> Body<S, D> {
     Body {
-        position: position_after(body, g, span),
-        velocity: velocity_after(body, g, span),
+        position: body.position + (body.velocity + a * (span * S::half())) * span,
+        velocity: body.velocity + a * span,
         clock: now,
         ..*body
     }
 }
 
-/// Lets the grain fly until `now`.
-pub fn advance<S: Scalar, const D: usize>(body: &mut Body<S, D>, g: &Vector<S, D>, now: S) {
-    *body = at(body, g, now);
+/// Lets the grain move until `now`.
+pub fn advance<S: Scalar, const D: usize>(body: &mut Body<S, D>, field: Field<'_, S, D>, now: S) {
+    *body = at(body, field, now);
 }

@@ -123,8 +123,8 @@ pub struct Body<S: Scalar, const D: usize> {
     pub(crate) release: Vector<S, D>,
     /// When the contact ends.
     pub(crate) release_at: S,
-    /// Until when no third body may end the contact.
-    pub(crate) unbroken_until: S,
+    /// In a contact: until when no third body may end it. Else: when the last collision was.
+    pub(crate) moment: S,
     /// With whom it is in contact.
     pub(crate) partner: Partner,
     /// Changes whenever the trajectory does, so that events predicted before can be told as stale.
@@ -132,6 +132,10 @@ pub struct Body<S: Scalar, const D: usize> {
     /// In which cell it is.
     pub(crate) cell: u32,
     pub(crate) material: u8,
+    /// The planes it rests on, a bit for each; for a grain on top of others the plate that carries them.
+    pub(crate) planes: u8,
+    /// How many collisions it had one right after the other; [`Body::FROZEN`] for a grain at rest.
+    pub(crate) burst: u16,
 }
 
 impl<S: Scalar, const D: usize> Body<S, D> {
@@ -145,11 +149,13 @@ impl<S: Scalar, const D: usize> Body<S, D> {
             mass: grain.mass,
             release: Vector::zeros(),
             release_at: S::NEVER,
-            unbroken_until: S::zero(),
+            moment: -S::NEVER,
             partner: Partner::NOTHING,
             stamp: 0,
             cell: 0,
             material: grain.material,
+            planes: 0,
+            burst: 0,
         }
     }
 
@@ -157,6 +163,44 @@ impl<S: Scalar, const D: usize> Body<S, D> {
     pub(crate) fn as_grain(&self) -> Grain<S, D> {
         let Self { position, velocity, radius, mass, material, .. } = *self;
         Grain { position, velocity, radius, mass, material }
+    }
+
+    /// The `burst` of a grain at rest.
+    const FROZEN: u16 = u16::MAX;
+
+    /// Whether something holds it against gravity.
+    pub(crate) fn is_held(&self) -> bool {
+        self.planes != 0 || self.is_frozen()
+    }
+
+    /// Whether it lies still (relative to the plate that carries it, if one does).
+    pub(crate) fn is_frozen(&self) -> bool {
+        self.burst == Self::FROZEN
+    }
+
+    /// Whether it rests on this plane.
+    pub(crate) fn rests_on(&self, plane: usize) -> bool {
+        u8::try_from(plane).is_ok_and(|p| self.planes.checked_shr(p.into()).unwrap_or(0) & 1 == 1)
+    }
+
+    /// The same body at rest on this plane, too.
+    pub(crate) fn resting_on(self, plane: usize) -> Self {
+        Self { planes: self.planes | 1_u8.checked_shl(plane as u32).unwrap_or(0), ..self }
+    }
+
+    /// The same body, lying still.
+    pub(crate) fn frozen(self) -> Self {
+        Self { burst: Self::FROZEN, ..self }
+    }
+
+    /// The same body, held by nothing.
+    pub(crate) fn let_go(self) -> Self {
+        Self { planes: 0, burst: if self.is_frozen() { 0 } else { self.burst }, ..self }
+    }
+
+    /// When its last collision was.
+    pub(crate) fn last_collision(&self) -> S {
+        if self.in_contact() { -S::NEVER } else { self.moment }
     }
 
     /// Whether a contact is under way.

@@ -5,6 +5,9 @@ pub mod cells;
 pub mod flight;
 pub mod grain;
 pub mod grid;
+pub mod plane;
 
-pub use boundary::{Boundary, Periodic, Plane, Surface};
+pub use boundary::{Boundary, Periodic};
+pub use flight::Field;
 pub use grain::{Body, Grain, Partner};
+pub use plane::{Plane, Surface, Vibration};

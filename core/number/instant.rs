@@ -51,6 +51,15 @@ impl Instant {
         f64::from_ticks(self.ticks())
     }
 
+    /// How many periods of a frequency have passed, without the whole ones.
+    pub(crate) fn part_of_period(self, frequency: f64) -> f64 {
+        let period = (1.0 / frequency).to_ticks();
+        if period <= 0 {
+            return 0.0;
+        }
+        f64::from_ticks(self.ticks().rem_euclid(period)) / f64::from_ticks(period)
+    }
+
     /// Its two words, for a digest.
     #[expect(clippy::cast_sign_loss, reason = "the bits are meant")]
     pub(crate) fn words(self) -> (u64, u64) {

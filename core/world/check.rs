@@ -2,8 +2,8 @@
 
 use crate::event::scene::Scene;
 use crate::fault::{Fault, Subject};
-use crate::matter::{Body, Boundary, Grain, Partner, Plane, Surface};
-use crate::number::{Scalar, Vector};
+use crate::matter::{Body, Boundary, Grain, Partner, Plane, Surface, Vibration};
+use crate::number::{Instant, Scalar, Vector};
 
 fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Result<(), Fault> {
     let subject = Subject::Plane(number);
@@ -15,12 +15,34 @@ fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Resul
     if !plane.offset.is_number() {
         return Err(Fault::input(subject, "offset", plane.offset.to_f64(), "a finite number"));
     }
+    if let Some(vibration) = &plane.vibration {
+        self::vibration(vibration, subject)?;
+    }
     match plane.surface {
         Surface::Hard(e) if !(e >= S::zero() && e <= S::one()) => {
             Err(Fault::input(subject, "restitution", e.to_f64(), "between 0 and 1"))
         }
         _ => Ok(()),
     }
+}
+
+fn vibration<S: Scalar>(v: &Vibration<S>, subject: Subject) -> Result<(), Fault> {
+    for (field, value) in [("amplitude", v.amplitude), ("phase", v.phase)] {
+        if !value.is_number() {
+            return Err(Fault::input(subject, field, value.to_f64(), "a finite number"));
+        }
+    }
+    let f = v.frequency;
+    let exact = Instant::from(S::one() / f).as_f64() > 0.0;
+    if !(f > S::zero() && f.is_number() && exact) {
+        return Err(Fault::input(subject, "frequency", f.to_f64(), "above 0 and below 2^63"));
+    }
+    let jerk = v.peak_acceleration() * v.angular_frequency() * v.angular_frequency();
+    if !(jerk.is_number() && jerk < S::NEVER) {
+        let wanted = "small enough that amplitude times the fourth power of 2 pi f is a number";
+        return Err(Fault::input(subject, "frequency", f.to_f64(), wanted));
+    }
+    Ok(())
 }
 
 pub(super) fn grain<S: Scalar, const D: usize>(
@@ -91,7 +113,7 @@ pub(super) fn overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Re
             refuse_overlap(a, body, Partner::grain(b), gap)?;
         }
         for (p, plane) in scene.boundary.planes().iter().enumerate() {
-            refuse_overlap(a, body, Partner::plane(p), plane.gap(&body.position, body.radius))?;
+            refuse_overlap(a, body, Partner::plane(p), plane.gap(&body.position, body.radius, scene.now))?;
         }
     }
     Ok(())

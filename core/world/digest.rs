@@ -27,11 +27,13 @@ impl Fnv {
         for v in [&body.position, &body.velocity, &body.release] {
             self.vector(v);
         }
-        for x in [body.clock, body.release_at, body.unbroken_until, body.radius, body.mass] {
+        for x in [body.clock, body.release_at, body.moment, body.radius, body.mass] {
             self.number(x);
         }
         self.word(u64::from(body.partner.word()));
         self.word(u64::from(body.material));
+        self.word(u64::from(body.planes));
+        self.word(u64::from(body.burst));
     }
 
     fn slot<S: Scalar>(&mut self, slot: &Slot<S>) {
@@ -42,6 +44,8 @@ impl Fnv {
             Kind::Release => 1,
             Kind::Wander => 2,
             Kind::Nothing => 3,
+            Kind::TakeOff => 4,
+            Kind::Check => 5,
         });
     }
 }

@@ -30,6 +30,7 @@ pub struct Saved<S: Scalar, const D: usize, B, Q> {
     now: S,
     epoch: Instant,
     release: Release,
+    t_c: S,
     counters: Counters,
     since_epoch: u32,
     at_once: u32,
@@ -49,6 +50,7 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
             now: self.scene.now,
             epoch: self.scene.epoch,
             release: self.scene.release,
+            t_c: self.scene.t_c,
             counters: self.scene.counters,
             since_epoch: self.since_epoch,
             at_once: self.at_once,
@@ -81,7 +83,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
             World::setup(memory).rule(rule).grains(bodies.iter().map(Body::as_grain))?;
         setup.boundary = saved.boundary.clone();
         setup.gravity = saved.gravity;
-        let mut world = setup.release(saved.release).build()?;
+        let mut world = setup.release(saved.release).tc(saved.t_c).build()?;
         world.scene.bodies.copy_from_slice(bodies);
         world.scene.now = saved.now;
         world.scene.take_grid(saved.grid)?;
@@ -136,8 +138,8 @@ fn check_body<S: Scalar, const D: usize>(i: usize, body: &Body<S, D>, now: S) ->
     if !(body.release_at >= now && body.release_at <= S::NEVER) {
         return no("release_at", body.release_at, "not before the present");
     }
-    if !body.unbroken_until.is_number() {
-        return no("unbroken_until", body.unbroken_until, "a finite number");
+    if !body.moment.is_number() {
+        return no("moment", body.moment, "a finite number");
     }
     match body.release.iter().find(|x| !x.is_number()) {
         Some(&x) => no("release", x, "a finite number"),

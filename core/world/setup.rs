@@ -24,6 +24,7 @@ pub struct Setup<'m, S: Scalar, const D: usize, R> {
     pub(super) boundary: Boundary<S, D>,
     pub(super) gravity: Vector<S, D>,
     release: Release,
+    t_c: S,
     rule: R,
     /// The first thing that was wrong; told by [`Setup::start`].
     fault: Option<Fault>,
@@ -38,6 +39,7 @@ impl<'m, S: Scalar, const D: usize> World<'m, S, D, NoRule> {
             boundary: Boundary::default(),
             gravity: Vector::zeros(),
             release: Release::default(),
+            t_c: S::zero(),
             rule: NoRule,
             fault: None,
         }
@@ -110,11 +112,30 @@ impl<'m, S: Scalar, const D: usize, R> Setup<'m, S, D, R> {
         self
     }
 
+    /// The TC rule (Luding & McNamara, Granul. Matter 1, 113, 1998): an instantaneous collision less
+    /// than `t_c` after the last one of either grain is elastic. Zero, the default, is no such rule.
+    ///
+    /// A real contact lasts t_c; grains that meet more often than that are in lasting contact, and
+    /// lose no more energy by it. It also says when a hop is too short to be one: a grain that would
+    /// be back within t_c lies still. Soft laws have their own contact duration and do not need it.
+    ///
+    /// # Units
+    /// Time; at least zero.
+    #[must_use]
+    pub fn tc(mut self, t_c: S) -> Self {
+        if !(t_c >= S::zero() && t_c.is_number()) {
+            let wanted = "a contact duration: finite and at least 0";
+            self.note(Err(Fault::input(Subject::World, "t_c", t_c.to_f64(), wanted)));
+        }
+        self.t_c = t_c;
+        self
+    }
+
     /// What grains do when they touch.
     #[must_use]
     pub fn rule<Q: Rule<S>>(self, rule: Q) -> Setup<'m, S, D, Q> {
-        let Self { room, count, boundary, gravity, release, fault, .. } = self;
-        Setup { room, count, boundary, gravity, release, rule, fault }
+        let Self { room, count, boundary, gravity, release, t_c, fault, .. } = self;
+        Setup { room, count, boundary, gravity, release, t_c, rule, fault }
     }
 
     /// One more grain.
@@ -166,29 +187,32 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
     pub(super) fn build(self) -> Result<World<'m, S, D, R>, Fault> {
         self.fault.map_or(Ok(()), Err)?;
         self.rule.check()?;
+        let mut boundary = self.boundary;
+        boundary.start_epoch(Instant::START);
         let Room { bodies, slots, tree, links, heads } = self.room;
         let bodies = bodies.get_mut(..self.count).unwrap_or_default();
         let slots = slots.get_mut(..self.count).unwrap_or_default();
         let tree = tree.get_mut(..self.count).unwrap_or_default();
         let links = links.get_mut(..self.count).unwrap_or_default();
         let largest_radius = bodies.iter().fold(S::zero(), |r, b| r.larger(b.radius));
-        check::space(&self.boundary, &self.gravity, largest_radius)?;
+        check::space(&boundary, &self.gravity, largest_radius)?;
         for (i, body) in bodies.iter_mut().enumerate() {
-            body.position = self.boundary.wrap_from_afar(body.position);
-            check::inside(&self.boundary, i, body)?;
+            body.position = boundary.wrap_from_afar(body.position);
+            check::inside(&boundary, i, body)?;
         }
         slots.fill(Slot::EMPTY);
         let reach = largest_radius + largest_radius;
-        let grid = Grid::choose(&self.boundary, bodies, reach, heads.len());
+        let grid = Grid::choose(&boundary, bodies, reach, heads.len());
         let mut scene = Scene {
             bodies,
             cells: Cells::new(grid, heads, links),
-            boundary: self.boundary,
+            boundary,
             gravity: self.gravity,
             now: S::zero(),
             epoch: Instant::START,
             largest_radius,
             release: self.release,
+            t_c: self.t_c,
             counters: Counters::default(),
         };
         scene.fill_cells();

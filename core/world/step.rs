@@ -2,15 +2,15 @@
 
 use super::World;
 use super::watch::{Happening, View, Watch};
-use crate::event::apply::{self, Deed, Touched};
-use crate::event::{Counters, Kind, Slot, predict};
+use crate::event::apply::{self, Affected, Deed};
+use crate::event::{Counters, Kind, Slot, order, rest};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
-use crate::matter::{Grain, flight};
+use crate::matter::{Field, Grain, flight};
 use crate::number::{Instant, Scalar, Vector, all_numbers};
 
 /// Events that a grain can have at one instant, on average, before the world is called stuck.
-const EVENTS_AT_ONCE: u32 = 256;
+const EVENTS_AT_ONCE: u32 = 4096;
 
 /// The part of the world's age by which time must move on to count as another instant: 2^−48.
 const VISIBLE: f64 = 3.552_713_678_800_501e-15;
@@ -76,9 +76,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let mut happening =
             Happening { at: self.now(), grain, partner: slot.partner, kind: slot.kind, deed: None };
         watch.before(&happening, View { scene: &self.scene });
-        let mut touched = Touched::new();
-        happening.deed = Some(self.apply(grain, &slot, &mut touched)?);
-        self.reschedule(&touched)?;
+        let mut affected = Affected::default();
+        happening.deed = Some(self.apply(grain, &slot, &mut affected)?);
+        self.reschedule(&affected)?;
         watch.after(&happening, View { scene: &self.scene });
         self.keep_time();
         Ok(Some(happening))
@@ -92,9 +92,14 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             if slot.kind == Kind::Nothing || !(slot.time <= limit) {
                 return None;
             }
-            if !predict::is_stale(&self.scene, &slot) {
-                return Some((grain, slot));
-            }
+            let stale = match order::fastest(&self.scene, &self.queue, grain, &slot) {
+                Ok(fastest) => {
+                    self.scene.counters.reordered += u64::from(fastest != grain);
+                    return Some((fastest, self.queue.slot(fastest)));
+                }
+                Err(stale) => stale,
+            };
+            let grain = stale;
             self.scene.counters.stale += 1;
             self.scene.now = self.scene.now.larger(slot.time);
             let slot = self.predict(grain);
@@ -123,25 +128,37 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         &mut self,
         grain: usize,
         slot: &Slot<S>,
-        touched: &mut Touched,
+        affected: &mut Affected,
     ) -> Result<Deed<S>, Fault> {
+        let scene = &mut self.scene;
         match slot.kind {
-            Kind::Meet => apply::meet(&mut self.scene, &self.rule, grain, slot.partner, touched),
-            Kind::Release => Ok(apply::release(&mut self.scene, grain, touched)),
+            Kind::Meet => apply::meet(scene, &self.rule, grain, slot.partner, affected),
+            Kind::Release => Ok(apply::release(scene, grain, affected)),
+            Kind::TakeOff => Ok(rest::take_off(scene, grain, affected)),
+            Kind::Check => Ok(rest::check(scene, grain, affected)),
             Kind::Wander | Kind::Nothing => {
-                Ok(apply::wander(&mut self.scene, grain, slot.stamp, touched))
+                Ok(apply::wander(scene, grain, slot.stamp, affected))
             }
         }
     }
 
-    /// Predicts the next events of the grains that an event touched, and checks that they still can be computed with.
-    fn reschedule(&mut self, touched: &[usize]) -> Result<(), Fault> {
-        for &grain in touched {
+    /// Predicts the next events of the grains that an event concerned, and checks that they still can be
+    /// computed with. What lies on a grain that was at rest until now looks whether it is still held.
+    fn reschedule(&mut self, affected: &Affected) -> Result<(), Fault> {
+        for &grain in &affected.again {
             if let Some(field) = self.scene.body(grain).and_then(apply::broken) {
                 return Err(Fault::NotFinite { grain, field, at: self.now() });
             }
             let slot = self.predict(grain);
             self.queue.set(grain, slot);
+        }
+        for &grain in &affected.woken {
+            let cell = self.scene.body(grain).map_or(0, |body| body.cell);
+            for k in self.scene.cells.near(cell) {
+                if rest::lies_on(&self.scene, k, grain) {
+                    self.queue.set(k, Slot::alone(self.scene.now, Kind::Check));
+                }
+            }
         }
         Ok(())
     }
@@ -172,12 +189,15 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         self.since_epoch = 0;
         self.scene.counters.epochs += 1;
         let now = self.scene.now - back;
+        let field = Field { gravity: &self.scene.gravity, boundary: &self.scene.boundary };
         for body in self.scene.bodies.iter_mut() {
-            flight::advance(body, &self.scene.gravity, self.scene.now);
+            flight::advance(body, field, self.scene.now);
             body.clock = now;
             if body.release_at < S::NEVER {
                 body.release_at -= back;
-                body.unbroken_until -= back;
+            }
+            if body.moment > -S::NEVER {
+                body.moment -= back;
             }
         }
         for slot in self.queue.slots.iter_mut().filter(|slot| slot.time < S::NEVER) {
@@ -185,6 +205,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         }
         self.scene.now = now;
         self.scene.epoch = self.scene.epoch + Instant::from(back);
+        self.scene.boundary.start_epoch(self.scene.epoch);
     }
 
     /// Changes gravity now: between events, in the middle of contacts too. All events are predicted anew.
@@ -200,6 +221,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         self.set_clocks_back(self.scene.now);
         self.at_once = 0;
         self.scene.gravity = gravity;
+        for body in self.scene.bodies.iter_mut() {
+            *body = body.let_go();
+        }
         self.predict_all();
         Ok(())
     }

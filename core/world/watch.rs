@@ -64,7 +64,7 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
     #[must_use]
     pub fn grain(&self, index: usize) -> Option<Grain<S, D>> {
         let body = self.scene.body(index)?;
-        let now = flight::at(body, &self.scene.gravity, self.scene.now);
+        let now = flight::at(body, self.scene.field(), self.scene.now);
         let Body { velocity, radius, mass, material, .. } = now;
         Some(Grain {
             position: self.scene.boundary.wrap(now.position),
@@ -80,6 +80,12 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
     pub fn contact(&self, index: usize) -> Option<(Partner, Instant)> {
         let body = self.scene.body(index).filter(|b| b.in_contact())?;
         Some((body.partner, self.scene.epoch + Instant::from(body.release_at)))
+    }
+
+    /// Whether a grain is at rest: frozen among what holds it, or on a plane, on which it may slide.
+    #[must_use]
+    pub fn is_at_rest(&self, index: usize) -> bool {
+        self.scene.body(index).is_some_and(Body::is_held)
     }
 
     /// A grain as it will be if its contact ends undisturbed now: the velocity that E^v will give it.

@@ -91,7 +91,7 @@ fn bad_boundaries_gravity_and_laws_are_named() {
         ),
         (
             start(|s| {
-                s.plane(Plane { normal: [2.0].into(), offset: 0.0, surface: Surface::Rule })
+                s.plane(Plane { normal: [2.0].into(), offset: 0.0, surface: Surface::Rule, vibration: None })
                     .rule(ELASTIC)
                     .start()
                     .map(drop)

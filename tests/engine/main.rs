@@ -4,6 +4,7 @@ mod conservation;
 mod contact;
 mod faults;
 mod gas;
+mod rest;
 mod rooms;
 mod saved;
 mod symmetry;

@@ -46,11 +46,7 @@ fn far_events_are_not_lost_when_clocks_are_set_back() {
     let grain = Grain::with_mass(0.25, 1.0);
     let mut world = World::setup(&mut memory)
         .rule(HardSphere { restitution: 1.0 })
-        .plane(carom::matter::Plane {
-            normal: [1.0].into(),
-            offset: 0.0,
-            surface: carom::matter::Surface::Rule,
-        })
+        .plane(carom::matter::Plane::new([1.0], 0.0, carom::matter::Surface::Rule))
         .grains([grain.at([10.0]).moving([1.0e-3]), grain.at([11.5])])
         .unwrap()
         .start()

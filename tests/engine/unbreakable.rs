@@ -184,7 +184,7 @@ fn a_short_slice_is_a_full_memory() {
 fn boundaries_that_contradict_each_other_are_refused() {
     let grain = Grain::with_mass(0.5, 1.0);
     let mut memory = Memory::<f64, 1, 2>::new();
-    let across = Plane { normal: [1.0].into(), offset: 0.0, surface: Surface::Rule };
+    let across = Plane { normal: [1.0].into(), offset: 0.0, surface: Surface::Rule, vibration: None };
     let setup = World::setup(&mut memory).periodic([[0.0, 10.0]]).plane(across);
     assert!(setup.rule(ELASTIC).grain(grain.at([5.0])).unwrap().start().is_err());
     let mut memory = Memory::<f64, 1, 2>::new();

@@ -87,6 +87,12 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             ("put_off", c.put_off),
             ("clamped", c.clamped),
             ("hard_sphere", c.hard_sphere),
+            ("rests", c.rests),
+            ("take_offs", c.take_offs),
+            ("within_tc", c.within_tc),
+            ("collapses", c.collapses),
+            ("propped", c.propped),
+            ("reordered", c.reordered),
             ("stale", c.stale),
             ("wanderings", c.wanderings),
         ]
@@ -108,6 +114,8 @@ impl<const D: usize> Watch<f64, D> for Log {
             Some(Deed::Contact(_)) => "contact",
             Some(Deed::Release) => "release",
             Some(Deed::Interruption) => "interruption",
+            Some(Deed::Rest) => "rest",
+            Some(Deed::TakeOff) => "take-off",
             Some(Deed::Wander) | None => return,
         };
         self.0.push(Logged {

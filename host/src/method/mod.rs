@@ -151,7 +151,7 @@ fn enclose<'m, const D: usize, R>(
         for (at, facing) in [(from, 1.0), (to, -1.0)] {
             let mut normal = [0.0; D];
             normal[axis] = facing;
-            setup = setup.plane(Plane { normal: normal.into(), offset: facing * at, surface });
+            setup = setup.plane(Plane::new(normal, facing * at, surface));
         }
     }
     setup

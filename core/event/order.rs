@@ -1,0 +1,84 @@
+//! Which of several collisions at one instant comes first? Reads the scene and the queue; writes nothing.
+//!
+//! The fastest: largest relative velocity first (LRV; Clément et al., Int. J. Mod. Phys. B 7, 1807,
+//! 1993; L94 §II.B). Time alone does not order exactly simultaneous collisions, and the grains'
+//! numbers mean nothing physical. They decide only between equal speeds.
+
+use super::predict;
+use super::queue::{Kind, Queue, Slot};
+use super::scene::Scene;
+use crate::matter::flight;
+use crate::number::Scalar;
+
+/// Of more simultaneous events than this only so many are looked at: the work of one event is bounded.
+const MOST: usize = 256;
+
+/// The grain whose event comes first among those at the time of `slot`, the event of `grain`.
+///
+/// # Errors
+/// A grain whose event at this time is void.
+pub(crate) fn fastest<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    queue: &Queue<'_, S>,
+    grain: usize,
+    slot: &Slot<S>,
+) -> Result<usize, usize> {
+    if predict::is_stale(scene, slot) {
+        return Err(grain);
+    }
+    if slot.kind != Kind::Meet {
+        return Ok(grain);
+    }
+    let (mut stale, mut count) = (None, 0);
+    queue.tied(slot.time, &mut |k| {
+        count += 1;
+        if predict::is_stale(scene, &queue.slot(k)) {
+            stale = Some(k);
+        }
+        stale.is_none() && count < MOST
+    });
+    match stale {
+        Some(stale) => Err(stale),
+        None if count < 2 => Ok(grain),
+        None => Ok(first_of(scene, queue, grain, slot.time)),
+    }
+}
+
+/// The fastest of several, the lowest number among equals.
+fn first_of<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    queue: &Queue<'_, S>,
+    grain: usize,
+    time: S,
+) -> usize {
+    let (mut best, mut count) = ((grain, None::<S>), 0);
+    queue.tied(time, &mut |k| {
+        let tied = queue.slot(k);
+        if tied.kind == Kind::Meet {
+            let speed = closing_speed(scene, k, &tied);
+            let equal = Some(speed) == best.1 && k < best.0;
+            if equal || best.1.is_none_or(|most| speed > most) {
+                best = (k, Some(speed));
+            }
+        }
+        count += 1;
+        count < MOST
+    });
+    best.0
+}
+
+/// The speed at which the two of an event approach each other when it is due.
+fn closing_speed<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    grain: usize,
+    slot: &Slot<S>,
+) -> S {
+    let at = |i: usize| scene.body(i).map(|body| flight::at(body, scene.field(), slot.time));
+    let Some(me) = at(grain) else { return S::zero() };
+    if let Some(plane) = slot.partner.as_plane().and_then(|p| scene.boundary.planes().get(p)) {
+        return plane.motion(slot.time).speed - plane.normal.dot(&me.velocity);
+    }
+    let Some(other) = slot.partner.as_grain().and_then(at) else { return S::zero() };
+    let apart = scene.separation(&me, &other);
+    -apart.dot(&(me.velocity - other.velocity)) / apart.dot(&apart).sqrt()
+}

@@ -1,0 +1,165 @@
+//! When do two bodies touch, or part from a plate? Reads the scene; writes nothing, picks closed form or bracket.
+
+use super::bracket::{Found, Search};
+use super::root;
+use super::scene::Scene;
+use crate::matter::{Body, Plane, flight};
+use crate::number::{Scalar, Vector};
+
+/// When the two touch: BSFP14's rule. Uniform gravity leaves their relative motion straight, unless
+/// only one of them is held against it.
+///
+/// A pair in contact has one velocity copied twice; it is skipped by the caller so that rounding of
+/// two clocks cannot make it meet itself.
+pub(super) fn pair<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+    other: &Body<S, D>,
+    limit: S,
+) -> Found<S> {
+    let reach = me.radius + other.radius;
+    if me.planes == other.planes && me.is_frozen() == other.is_frozen() {
+        let other = flight::at(other, scene.field(), scene.now);
+        let separation = scene.separation(me, &other);
+        let found = root::spheres(&separation, &(me.velocity - other.velocity), reach);
+        return found.map_or(Found::Nothing, Found::Event);
+    }
+    let field = scene.field();
+    let apart = flight::acceleration(me, field) - flight::acceleration(other, field);
+    let bound = apart.dot(&apart).sqrt() + shaking(scene, me) + shaking(scene, other);
+    Search::new(bound.larger(weak(reach, limit)), reach, limit).first(|t| {
+        let [a, b] = [me, other].map(|body| flight::at(body, field, scene.now + t));
+        overlap(&scene.separation(&a, &b), &(a.velocity - b.velocity), reach)
+    })
+}
+
+/// f = |r| − σ and ḟ. The difference of squares keeps the last places of a touching pair.
+fn overlap<S: Scalar, const D: usize>(
+    r: &Vector<S, D>,
+    v: &Vector<S, D>,
+    sigma: S,
+) -> (S, S) {
+    let distance = r.dot(r).sqrt();
+    if !(distance > S::zero()) {
+        return (-sigma, -v.dot(v).sqrt());
+    }
+    ((r.dot(r) - sigma * sigma) / (distance + sigma), r.dot(v) / distance)
+}
+
+/// An acceleration too weak to matter before the limit; a search needs one above zero.
+fn weak<S: Scalar>(size: S, limit: S) -> S {
+    let span = limit.smaller(S::from_f32(1e9)).larger(S::RESOLUTION);
+    S::RESOLUTION * (size / span) / span + S::RESOLUTION * S::RESOLUTION * size
+}
+
+/// When a body touches a plane that does not hold it.
+pub(super) fn plane<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+    plane: &Plane<S, D>,
+    limit: S,
+) -> Found<S> {
+    let field = scene.field();
+    let mean = plane.mean_gap(&me.position, me.radius);
+    let (v, a) = (plane.normal.dot(&me.velocity), plane.normal.dot(&flight::acceleration(me, field)));
+    let Some(vibration) = plane.vibration else {
+        return match flight::plate(me, field) {
+            None => root::plane(mean, v, a).map_or(Found::Nothing, Found::Event),
+            Some(_) => shaken(scene, me, plane, S::zero(), limit),
+        };
+    };
+    // Above the plate's highest place there is nothing to touch.
+    let top = vibration.amplitude.magnitude();
+    if mean > top && flight::plate(me, field).is_none() {
+        return match root::plane(mean - top, v, a) {
+            Some(from) if from <= limit => shaken(scene, me, plane, from, limit),
+            _ => Found::Nothing,
+        };
+    }
+    shaken(scene, me, plane, S::zero(), limit)
+}
+
+/// When a body touches a plane while either of them vibrates, looking from a span on.
+fn shaken<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+    plane: &Plane<S, D>,
+    from: S,
+    limit: S,
+) -> Found<S> {
+    let field = scene.field();
+    let a = plane.normal.dot(&flight::acceleration(me, field)).magnitude();
+    let shaking = plane.vibration.map_or(S::zero(), |v| v.peak_acceleration()) + shaking(scene, me);
+    let bound = (a + shaking).larger(weak(me.radius, limit));
+    let found = Search::new(bound, me.radius, limit - from).first(|t| {
+        let then = scene.now + (from + t);
+        let body = flight::at(me, field, then);
+        let rate = plane.normal.dot(&body.velocity) - plane.motion(then).speed;
+        (plane.gap(&body.position, me.radius, then), rate)
+    });
+    match found {
+        Found::Event(span) => Found::Event(from + span),
+        Found::NotBefore(span) => Found::NotBefore(from + span),
+        Found::Nothing => Found::Nothing,
+    }
+}
+
+/// When the plate that carries a body falls away faster than the body does: z̈₀ < g_n.
+pub(super) fn take_off<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+) -> Found<S> {
+    let Some(plate) = flight::plate(me, scene.field()) else { return Found::Nothing };
+    let Some(vibration) = plate.vibration else { return Found::Nothing };
+    let falls = plate.normal.dot(&scene.gravity);
+    let (omega, peak) = (vibration.angular_frequency(), vibration.peak_acceleration());
+    if plate.motion(scene.now).acceleration < falls {
+        return Found::Event(S::zero());
+    }
+    if peak <= -falls || !(peak > S::zero()) {
+        return Found::Nothing;
+    }
+    let sign = if vibration.amplitude > S::zero() { S::one() } else { -S::one() };
+    let search = Search::new(peak * omega * omega, peak, S::NEVER);
+    search.first(|t| {
+        let (sin, cos) = vibration.phase_at(scene.now + t);
+        (-sign * peak * sin - falls, -sign * peak * cos * omega)
+    })
+}
+
+/// The size of the acceleration that the plate carrying a body can give it; 0 if none does.
+pub(super) fn shaking<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -> S {
+    let vibration = flight::plate(me, scene.field()).and_then(|plate| plate.vibration);
+    vibration.map_or(S::zero(), |v| v.peak_acceleration())
+}
+
+/// Whether a plate shakes the body along an axis.
+pub(super) fn is_shaken<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+    axis: usize,
+) -> bool {
+    let plate = flight::plate(me, scene.field());
+    plate.and_then(|p| p.normal.get(axis)).is_some_and(|&n| n != S::zero())
+}
+
+/// When a body that a plate carries crosses a face of its cell, now at this distance.
+pub(super) fn shaken_face<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+    axis: usize,
+    gap: S,
+    up: bool,
+) -> Found<S> {
+    let field = scene.field();
+    let along = |v: &Vector<S, D>| {
+        let x = v.get(axis).copied().unwrap_or(S::zero());
+        if up { -x } else { x }
+    };
+    let (start, a) = (along(&me.position), along(&flight::acceleration(me, field)).magnitude());
+    let bound = (a + shaking(scene, me)).larger(weak(me.radius, S::one()));
+    Search::new(bound, me.radius, S::NEVER).first(|t| {
+        let there = flight::at(me, field, scene.now + t);
+        (gap + (along(&there.position) - start), along(&there.velocity))
+    })
+}
