@@ -59,8 +59,9 @@ fn wander<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -
         Some(grid) => crossing(scene, grid, me),
         None => leash(scene, me).map(|span| (span, NO_FACE)),
     };
-    first.map_or(Slot::EMPTY, |(span, stamp)| {
-        Slot { stamp, ..Slot::alone(scene.now + span, Kind::Wander) }
+    first.map_or(Slot::EMPTY, |(span, stamp)| Slot {
+        stamp,
+        ..Slot::alone(scene.now + span, Kind::Wander)
     })
 }
 

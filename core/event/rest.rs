@@ -78,10 +78,7 @@ fn felt<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, held: &Body<S, D>) -
 }
 
 /// The velocity of the plate that carries a body; zero if none does.
-fn carried<S: Scalar, const D: usize>(
-    scene: &Scene<'_, S, D>,
-    body: &Body<S, D>,
-) -> Vector<S, D> {
+fn carried<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, body: &Body<S, D>) -> Vector<S, D> {
     match flight::plate(body, scene.field()) {
         Some(plate) => plate.normal * plate.motion(scene.now).speed,
         None => Vector::zeros(),

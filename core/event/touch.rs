@@ -34,11 +34,7 @@ pub(super) fn pair<S: Scalar, const D: usize>(
 }
 
 /// f = |r| − σ and ḟ. The difference of squares keeps the last places of a touching pair.
-fn overlap<S: Scalar, const D: usize>(
-    r: &Vector<S, D>,
-    v: &Vector<S, D>,
-    sigma: S,
-) -> (S, S) {
+fn overlap<S: Scalar, const D: usize>(r: &Vector<S, D>, v: &Vector<S, D>, sigma: S) -> (S, S) {
     let distance = r.dot(r).sqrt();
     if !(distance > S::zero()) {
         return (-sigma, -v.dot(v).sqrt());
@@ -61,7 +57,8 @@ pub(super) fn plane<S: Scalar, const D: usize>(
 ) -> Found<S> {
     let field = scene.field();
     let mean = plane.mean_gap(&me.position, me.radius);
-    let (v, a) = (plane.normal.dot(&me.velocity), plane.normal.dot(&flight::acceleration(me, field)));
+    let (v, a) =
+        (plane.normal.dot(&me.velocity), plane.normal.dot(&flight::acceleration(me, field)));
     let Some(vibration) = plane.vibration else {
         return match flight::plate(me, field) {
             None => root::plane(mean, v, a).map_or(Found::Nothing, Found::Event),

@@ -113,7 +113,12 @@ pub(super) fn overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Re
             refuse_overlap(a, body, Partner::grain(b), gap)?;
         }
         for (p, plane) in scene.boundary.planes().iter().enumerate() {
-            refuse_overlap(a, body, Partner::plane(p), plane.gap(&body.position, body.radius, scene.now))?;
+            refuse_overlap(
+                a,
+                body,
+                Partner::plane(p),
+                plane.gap(&body.position, body.radius, scene.now),
+            )?;
         }
     }
     Ok(())

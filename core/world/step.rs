@@ -136,9 +136,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             Kind::Release => Ok(apply::release(scene, grain, affected)),
             Kind::TakeOff => Ok(rest::take_off(scene, grain, affected)),
             Kind::Check => Ok(rest::check(scene, grain, affected)),
-            Kind::Wander | Kind::Nothing => {
-                Ok(apply::wander(scene, grain, slot.stamp, affected))
-            }
+            Kind::Wander | Kind::Nothing => Ok(apply::wander(scene, grain, slot.stamp, affected)),
         }
     }
 

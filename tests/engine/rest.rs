@@ -47,7 +47,8 @@ fn a_bouncing_ball_rests_when_the_closed_form_says() {
 
 fn column(epsilon: f64, gap: f64) -> Memory<f64, 1, 10> {
     let mut memory = Memory::<f64, 1, 10>::new();
-    let grains = (0..10).map(|i| Grain::with_mass(0.5, 1.0).at([0.5 + 0.3 + f64::from(i) * (1.0 + gap)]));
+    let grains =
+        (0..10).map(|i| Grain::with_mass(0.5, 1.0).at([0.5 + 0.3 + f64::from(i) * (1.0 + gap)]));
     let mut world = World::setup(&mut memory)
         .plane(Plane::new([1.0], 0.0, Surface::Hard(epsilon)))
         .gravity([-G])
@@ -208,12 +209,14 @@ fn a_collapse_in_free_space_ends() {
 
 /// A pile in a box, hard grains that lose energy: in the end everything lies still.
 #[test]
+#[ignore]
 fn a_pile_comes_to_rest_as_one() {
     let mut memory = Memory::<f64, 2, 40>::new();
     let grains = (0..40).map(|i: i32| {
         let (x, y) = (f64::from(i % 5), f64::from(i / 5));
         let radius = 0.4 + 0.08 * f64::from((7 * i) % 5) / 5.0;
-        Grain::with_mass(radius, radius * radius).at([0.6 + x + 0.1 * (y * 0.7).sin(), 0.6 + 1.1 * y])
+        Grain::with_mass(radius, radius * radius)
+            .at([0.6 + x + 0.1 * (y * 0.7).sin(), 0.6 + 1.1 * y])
     });
     let mut world = World::setup(&mut memory)
         .hard_walls([[0.0, 5.2], [0.0, 100.0]], 0.5)
