@@ -4,5 +4,6 @@ pub mod collide;
 pub mod compare;
 pub mod demo;
 pub mod divergence;
+pub mod figure;
 pub mod run;
 pub mod table;
