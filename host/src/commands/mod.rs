@@ -6,4 +6,5 @@ pub mod demo;
 pub mod divergence;
 pub mod figure;
 pub mod run;
+pub mod soak;
 pub mod table;

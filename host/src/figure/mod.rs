@@ -7,6 +7,7 @@
 pub mod bsfp14;
 mod data;
 pub mod draw;
+pub mod hard;
 pub mod l94;
 mod progress;
 pub mod table;
