@@ -26,8 +26,12 @@ enum Command {
     Compare(commands::compare::Options),
     /// Run gases of ten grains until three touch, and show how far event-driven runs are from MD.
     Divergence(commands::divergence::Options),
+    /// Make a figure of the papers anew and set their numbers beside ours.
+    Figure(commands::figure::Options),
     /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
     Collide(commands::collide::Options),
+    /// Run a dissipative gas for millions of collisions, and check that nothing breaks.
+    Soak(commands::soak::Options),
     /// Show what the embedded tables hold and how exact they are.
     Table(commands::table::Options),
 }
@@ -44,7 +48,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
     match arguments.command {
         Some(Command::Compare(options)) => commands::compare::run(&options),
         Some(Command::Divergence(options)) => commands::divergence::run(&options),
+        Some(Command::Figure(options)) => commands::figure::run(&options),
         Some(Command::Collide(options)) => commands::collide::run(&options),
+        Some(Command::Soak(options)) => commands::soak::run(&options),
         Some(Command::Table(options)) => commands::table::run(&options),
         Some(Command::Run(options)) => commands::run::run(&options),
         Some(Command::Demo(options)) => commands::demo::run(&options),

@@ -9,6 +9,7 @@ pub mod collide;
 pub mod commands;
 pub mod compare;
 pub mod divergence;
+pub mod figure;
 pub mod integrated;
 pub mod method;
 pub mod output;

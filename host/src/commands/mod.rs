@@ -4,5 +4,7 @@ pub mod collide;
 pub mod compare;
 pub mod demo;
 pub mod divergence;
+pub mod figure;
 pub mod run;
+pub mod soak;
 pub mod table;

@@ -1,11 +1,13 @@
 //! What force do two overlapping grains feel? Reads a force law, radii and masses; writes the normal force.
 
+use super::contact_law::ContactLaw;
 use super::error::{ReferenceError, positive, zero_or_more};
 
 /// A contact force law, with its material parameters.
 ///
-/// Both laws are purely normal (smooth grains). Radii and masses belong to the grains, so one law
-/// serves grains of any size; [`ForceLaw::pair`] and [`ForceLaw::wall`] put both together.
+/// Grains do not rotate; only L94's law has a tangential force. Radii and masses belong to the
+/// grains, so one law serves grains of any size; [`ForceLaw::pair`] and [`ForceLaw::wall`] put both
+/// together.
 ///
 /// # Units
 ///
@@ -39,6 +41,25 @@ pub enum ForceLaw {
         /// Dissipative constant A, ≥ 0 (s).
         dissipation: f64,
     },
+    /// L94's general law, F_n = K x^{1+β} + D_n m_ij x^γ ẋ, with the tangential force
+    /// F_t = −D_t m_ij v_t (L94 Eqs. 2–4, 8 and those of Sec. IV B).
+    ///
+    /// Between grains m_ij is twice the reduced mass, at a wall the grain's mass, so that μ = D_n
+    /// for a pair and D_n/2 at a wall, with the same K (L94 Sec. III A). L94 Eq. (4) has the mass
+    /// of one grain in the place of m_ij; for equal grains both are the same, for others only m_ij
+    /// obeys Newton's third law.
+    PowerLaw {
+        /// Elastic constant K, > 0 (N/m^{1+β}). L94 Eq. (8): K = E d^{1−β}.
+        stiffness: f64,
+        /// Elastic exponent β, ≥ 0.
+        beta: f64,
+        /// Normal dissipation D_n, ≥ 0 (1/(s m^γ)). L94 Eq. (8): D_n m_ij = η d^{1−γ}.
+        damping: f64,
+        /// Dissipative exponent γ, from 0 to 1 + β.
+        gamma: f64,
+        /// Tangential dissipation D_t, ≥ 0 (1/s).
+        tangential: f64,
+    },
 }
 
 /// When is a contact over?
@@ -50,28 +71,6 @@ pub enum End {
     Force,
     /// When the overlap vanishes (L94 Eq. 6): until then the dashpot may pull.
     Overlap,
-}
-
-/// How the elastic force grows with the overlap.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shape {
-    /// Force ∝ x.
-    Linear,
-    /// Force ∝ x^{3/2}.
-    Hertz,
-}
-
-/// A [`ForceLaw`] between two given partners: F_n = g(x) (x + θ ẋ).
-///
-/// Both laws have this form, with g = k and θ = γ/k (spring and dashpot), or g = ρ √x and
-/// θ = 3A/2 (viscoelastic). F_n = 0 at x > 0 therefore means x + θ ẋ = 0 for both. L94's general
-/// law (Eq. 8) needs a second exponent, x^s + θ ẋ, and fits in here.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactLaw {
-    pub(super) stiffness: f64,
-    pub(super) relaxation: f64,
-    pub(super) mass: f64,
-    pub(super) shape: Shape,
 }
 
 impl ForceLaw {
@@ -94,98 +93,84 @@ impl ForceLaw {
                 }
                 zero_or_more("dissipation", dissipation)
             }
+            Self::PowerLaw { stiffness, beta, damping, gamma, tangential } => {
+                positive("stiffness", stiffness)?;
+                zero_or_more("beta", beta)?;
+                zero_or_more("damping", damping)?;
+                zero_or_more("tangential", tangential)?;
+                if !(0.0..=1.0 + beta).contains(&gamma) {
+                    return Err(ReferenceError::parameter("gamma", gamma, "from 0 to 1 + beta"));
+                }
+                Ok(())
+            }
         }
+    }
+
+    /// L94's spring and dashpot (β = γ = 0) of which a pair of grains of this mass has the contact
+    /// time t_c and the coefficient of restitution ε (L94 Eqs. 6, 7, with [`End::Overlap`]).
+    ///
+    /// # Units
+    ///
+    /// Mass in kg, contact time in s.
+    ///
+    /// # Errors
+    ///
+    /// [`ReferenceError::Parameter`] unless mass and contact time are positive and 0 < ε ≤ 1.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use carom_host::reference::ForceLaw;
+    /// let steel = ForceLaw::spring_of(1.38e-5, 4.6e-6, 0.9)?;
+    /// let ForceLaw::PowerLaw { stiffness, damping, .. } = steel else { unreachable!() };
+    /// // L94 Sec. III B: ω0 ≈ 6.8e5 1/s, μ ≈ 2.3e4 1/s.
+    /// assert!(((2.0 * stiffness / 1.38e-5_f64).sqrt() / 6.8e5 - 1.0).abs() < 0.01);
+    /// assert!((damping / 2.3e4 - 1.0).abs() < 0.01);
+    /// # Ok::<(), carom_host::reference::ReferenceError>(())
+    /// ```
+    pub fn spring_of(
+        mass: f64,
+        contact_time: f64,
+        restitution: f64,
+    ) -> Result<Self, ReferenceError> {
+        positive("mass", mass)?;
+        positive("contact_time", contact_time)?;
+        if !(restitution > 0.0 && restitution <= 1.0) {
+            let wanted = "above 0 and at most 1";
+            return Err(ReferenceError::parameter("restitution", restitution, wanted));
+        }
+        let mu = -restitution.ln() / contact_time;
+        let frequency = std::f64::consts::PI / contact_time;
+        let stiffness = 0.5 * mass * (frequency * frequency + mu * mu);
+        Ok(Self::PowerLaw { stiffness, beta: 0.0, damping: mu, gamma: 0.0, tangential: 0.0 })
     }
 
     /// The law between two grains of the given radii and masses.
     pub fn pair(&self, radii: [f64; 2], masses: [f64; 2]) -> ContactLaw {
         let reduced = |a: [f64; 2]| a[0] * (a[1] / (a[0] + a[1]));
-        self.between(reduced(radii), reduced(masses))
+        let mass = reduced(masses);
+        self.between(reduced(radii), mass, 2.0 * mass)
     }
 
     /// The law between a grain and a plane wall: R_eff = R, m_eff = m.
     pub fn wall(&self, radius: f64, mass: f64) -> ContactLaw {
-        self.between(radius, mass)
+        self.between(radius, mass, mass)
     }
 
-    fn between(&self, radius: f64, mass: f64) -> ContactLaw {
+    /// `twice` is L94's m_ij.
+    fn between(&self, radius: f64, mass: f64, twice: f64) -> ContactLaw {
         match *self {
             Self::LinearDashpot { stiffness, damping } => {
-                let relaxation = damping / stiffness;
-                ContactLaw { stiffness, relaxation, mass, shape: Shape::Linear }
+                ContactLaw::new(mass, [stiffness, damping], [0.0, 0.0])
             }
             Self::Viscoelastic { young, poisson, dissipation } => {
                 let stiffness = 2.0 * young * radius.sqrt() / (3.0 * (1.0 - poisson * poisson));
-                let relaxation = 1.5 * dissipation;
-                ContactLaw { stiffness, relaxation, mass, shape: Shape::Hertz }
+                ContactLaw::new(mass, [stiffness, 1.5 * dissipation * stiffness], [0.5, 0.5])
+            }
+            Self::PowerLaw { stiffness, beta, damping, gamma, tangential } => {
+                let law = ContactLaw::new(mass, [stiffness, damping * twice], [beta, gamma]);
+                law.rubbing(tangential * twice)
             }
         }
-    }
-}
-
-impl ContactLaw {
-    /// The normal force F_n at overlap x ≥ 0 and overlap rate ẋ; negative where the dashpot pulls.
-    ///
-    /// # Units
-    ///
-    /// Overlap in m, rate in m/s, force in N.
-    pub fn force(&self, overlap: f64, rate: f64) -> f64 {
-        self.gain(overlap.max(0.0).sqrt()) * (overlap + self.relaxation * rate)
-    }
-
-    /// The normal force as a contact with the given end feels it: [`End::Force`] never pulls.
-    #[inline]
-    pub fn force_until(&self, overlap: f64, rate: f64, end: End) -> f64 {
-        match end {
-            End::Force => self.force(overlap, rate).max(0.0),
-            End::Overlap => self.force(overlap, rate),
-        }
-    }
-
-    /// The elastic energy stored at overlap x ≥ 0: k x²/2, or (2/5) ρ x^{5/2}.
-    pub fn elastic_energy(&self, overlap: f64) -> f64 {
-        let x = overlap.max(0.0);
-        match self.shape {
-            Shape::Linear => 0.5 * self.stiffness * x * x,
-            Shape::Hertz => 0.4 * self.stiffness * x * x * x.sqrt(),
-        }
-    }
-
-    /// The time scale T of MP13 for an impact at normal speed v_n: √(m/k) (Eq. 41), or
-    /// (m/ρ)^{2/5} v_n^{−1/5} (viscoelastic).
-    pub fn time_scale(&self, speed: f64) -> f64 {
-        match self.shape {
-            Shape::Linear => (self.mass / self.stiffness).sqrt(),
-            Shape::Hertz => (self.mass / self.stiffness).powf(0.4) * speed.powf(-0.2),
-        }
-    }
-
-    /// A length of contact to choose steps by: π T or 3.218 T (undamped, central), shortened
-    /// where the dashpot is the faster of the two.
-    ///
-    /// With c_dis = θ/T the velocity of a strongly damped contact decays within about T/c_dis
-    /// (spring and dashpot) or T/c_dis^{2/3} (viscoelastic), which a step has to resolve.
-    pub fn contact_time(&self, speed: f64) -> f64 {
-        let scale = self.time_scale(speed);
-        let damped = self.relaxation / scale;
-        match self.shape {
-            Shape::Linear => std::f64::consts::PI * scale / damped.max(1.0),
-            Shape::Hertz => 3.218_066 * scale / damped.max(1.0).powf(2.0 / 3.0),
-        }
-    }
-
-    /// g, given √x.
-    #[inline]
-    pub(super) fn gain(&self, root: f64) -> f64 {
-        match self.shape {
-            Shape::Linear => self.stiffness,
-            Shape::Hertz => self.stiffness * root,
-        }
-    }
-
-    /// x ω(x): the speed that goes with overlap x in an elastic oscillation.
-    pub(super) fn speed_scale(&self, overlap: f64) -> f64 {
-        let x = overlap.max(0.0);
-        x * (self.gain(x.sqrt()) / self.mass).sqrt()
     }
 }

@@ -16,6 +16,7 @@
 mod cells;
 mod cluster;
 mod collocation;
+mod contact_law;
 mod error;
 mod exact;
 mod law;
@@ -25,9 +26,10 @@ mod system;
 mod timestep;
 mod vector;
 
+pub use contact_law::ContactLaw;
 pub use error::ReferenceError;
 pub use exact::{ContactRecord, Event, EventKind, Exact, Partner};
-pub use law::{ContactLaw, End, ForceLaw};
+pub use law::{End, ForceLaw};
 pub use pair::{Collision, collide};
 pub use system::{Boundary, Grain, System};
 pub use timestep::{Counters, Verlet, VerletOptions};

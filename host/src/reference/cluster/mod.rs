@@ -4,8 +4,9 @@ mod motion;
 mod start;
 
 use super::collocation::{Guess, NODES, Segment, node};
+use super::contact_law::ContactLaw;
 use super::error::ReferenceError;
-use super::law::{ContactLaw, End};
+use super::law::End;
 use super::roots::bracketed;
 use super::vector::{Vector, length};
 use motion::Motion;
@@ -26,8 +27,8 @@ pub(super) enum Side<const D: usize> {
 ///
 /// Overlap x and overlap rate are unknowns of their own, next to the Cartesian ones they could be
 /// had from: the difference of two coordinates would lose their digits. Where the dashpot rules
-/// (c_dis > 1), w = x + θ ẋ takes the place of ẋ, for F_n = g w passes through zero by a margin
-/// far below the round-off of ẋ.
+/// (c_dis > 1, exponents β = γ), w = x + θ ẋ takes the place of ẋ, for F_n = g w passes through zero
+/// by a margin far below the round-off of ẋ.
 #[derive(Debug, Clone)]
 pub(super) struct Link<const D: usize> {
     pub first: usize,
@@ -255,7 +256,8 @@ impl<const D: usize> Cluster<D> {
         for (c, link) in self.links.iter_mut().enumerate() {
             let compressed = y[base + 2 * c];
             let regular = active.regular == Some(c);
-            link.overlap = if regular { compressed * compressed } else { compressed };
+            let order = if regular { link.law.order() } else { 1 };
+            link.overlap = compressed.powi(order);
             link.second = y[base + 2 * c + 1];
         }
     }

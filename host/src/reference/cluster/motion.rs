@@ -8,9 +8,9 @@ use super::{Cluster, Link, Side};
 /// The equations of one cluster.
 ///
 /// Unknowns: time; position and velocity of each member; overlap and second unknown of each link.
-/// If link m is `regular`, the independent variable is s with dt = 2 √x_m ds and the overlap's
-/// place is taken by q = √x_m: then dq/ds = ẋ, and the square roots of the viscoelastic law are
-/// gone from the beginning (q = 0) and the end (q = 0 again) of that contact.
+/// If link m is `regular`, the overlap's place is taken by q with x_m = q^p (p = 2 for viscoelastic
+/// grains), and the independent variable is s with dt = p q^{p−1} ds: then dq/ds = ẋ, and the roots
+/// of x in the law are gone from the beginning (q = 0) and the end (q = 0 again) of that contact.
 pub(super) struct Motion<'a, const D: usize> {
     pub masses: &'a [f64],
     pub links: &'a [Link<D>],
@@ -22,6 +22,8 @@ pub(super) struct Motion<'a, const D: usize> {
 struct View<const D: usize> {
     rate: f64,
     force: f64,
+    /// L94 Eq. (4), on the first grain.
+    rub: Vector<D>,
     /// From the partner to the first grain.
     normal: Vector<D>,
     /// v_t²/r: how fast the distance's rate grows without any force.
@@ -45,17 +47,18 @@ impl<const D: usize> Motion<'_, D> {
         links_from::<D>(self.masses.len())
     }
 
-    /// Overlap, its root, its rate, and w = x + θ ẋ.
+    /// Overlap, its root q, its rate, and w = x^s + θ ẋ.
     fn compressed(&self, y: &[f64], c: usize) -> [f64; 4] {
         let (raw, second) = (y[self.base() + 2 * c], y[self.base() + 2 * c + 1]);
+        let law = &self.links[c].law;
         let (x, root) = match self.regular {
-            Some(m) if m == c => (raw * raw, raw),
-            _ => (raw, raw.max(0.0).sqrt()),
+            Some(m) if m == c => (raw.powi(law.order()), raw),
+            _ => (raw, law.root(raw)),
         };
-        let theta = self.links[c].law.relaxation;
+        let theta = law.relaxation;
         match self.links[c].by_force {
             true => [x, root, (second - x) / theta, second],
-            false => [x, root, second, x + theta * second],
+            false => [x, root, second, law.spring(x, root) + theta * second],
         }
     }
 
@@ -67,7 +70,9 @@ impl<const D: usize> Motion<'_, D> {
             Side::Wall { axis, facing, .. } => {
                 let mut normal = [0.0; D];
                 normal[axis] = facing;
-                View { rate, force, normal, bend: 0.0 }
+                let mut rub = velocity(y, link.first).map(|v| -link.law.tangential * v);
+                rub[axis] = 0.0;
+                View { rate, force, rub, normal, bend: 0.0 }
             }
             Side::Member { local, shift } => {
                 let apart = minus(&position(y, link.first), &position(y, local));
@@ -76,14 +81,19 @@ impl<const D: usize> Motion<'_, D> {
                 let normal = apart.map(|r| r / distance);
                 let v = minus(&velocity(y, link.first), &velocity(y, local));
                 let tangential = plus(&v, -dot(&v, &normal), &normal);
-                View { rate, force, normal, bend: dot(&tangential, &tangential) / distance }
+                let rub = tangential.map(|v| -link.law.tangential * v);
+                let bend = dot(&tangential, &tangential) / distance;
+                View { rate, force, rub, normal, bend }
             }
         }
     }
 
     /// d/dt, or d/ds, of all unknowns.
     pub fn slopes(&self, y: &[f64], f: &mut [f64]) {
-        let pace = self.regular.map_or(1.0, |m| 2.0 * y[self.base() + 2 * m]);
+        let pace = self.regular.map_or(1.0, |m| {
+            let p = self.links[m].law.order();
+            f64::from(p) * y[self.base() + 2 * m].powi(p - 1)
+        });
         f.fill(0.0);
         f[0] = pace;
         for c in 0..self.links.len() {
@@ -104,13 +114,17 @@ impl<const D: usize> Motion<'_, D> {
     /// Adds a link's force to its members' accelerations (without gravity).
     fn push(&self, view: &View<D>, c: usize, f: &mut [f64]) {
         let link = &self.links[c];
-        let mut add = |a: usize, force: f64| {
-            let at = 1 + 2 * D * a + D;
-            (0..D).for_each(|k| f[at + k] += force / self.masses[a] * view.normal[k]);
+        let rubbing = link.law.tangential != 0.0;
+        let mut add = |a: usize, sign: f64| {
+            let (at, per_mass) = (1 + 2 * D * a + D, sign / self.masses[a]);
+            (0..D).for_each(|k| f[at + k] += per_mass * view.force * view.normal[k]);
+            if rubbing {
+                (0..D).for_each(|k| f[at + k] += per_mass * view.rub[k]);
+            }
         };
-        add(link.first, view.force);
+        add(link.first, 1.0);
         if let Side::Member { local, .. } = link.side {
-            add(local, -view.force);
+            add(local, -1.0);
         }
     }
 
@@ -143,8 +157,8 @@ impl<const D: usize> Motion<'_, D> {
         if link.by_force {
             return second;
         }
-        let x = if self.regular == Some(c) { raw * raw } else { raw };
-        x + link.law.relaxation * second
+        let x = if self.regular == Some(c) { raw.powi(link.law.order()) } else { raw };
+        link.law.push(x, second)
     }
 
     /// Whether every overlap is what the centres say: not so once two centres have met.
@@ -172,7 +186,7 @@ impl<const D: usize> Motion<'_, D> {
         }
         for (c, link) in cluster.links.iter().enumerate() {
             let x = link.overlap;
-            y.push(if self.regular == Some(c) { x.max(0.0).sqrt() } else { x });
+            y.push(if self.regular == Some(c) { link.law.root(x) } else { x });
             y.push(link.second);
         }
         y

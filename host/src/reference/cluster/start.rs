@@ -1,6 +1,7 @@
 //! How does a contact begin, and clusters join or part? Reads states and contacts; writes clusters and first steps.
 
-use super::super::law::{ContactLaw, End, Shape};
+use super::super::contact_law::ContactLaw;
+use super::super::law::End;
 use super::super::system::Grain;
 use super::super::vector::{Vector, length, minus};
 use super::{Cluster, Link, Side};
@@ -58,8 +59,8 @@ impl<const D: usize> Cluster<D> {
             true => 1.0 / law.time_scale(rate),
             false => 0.0,
         };
-        let fastest = fastest.max((law.gain(overlap.max(0.0).sqrt()) / law.mass).sqrt());
-        let by_force = law.relaxation * fastest > 1.0;
+        let fastest = fastest.max(law.frequency(overlap));
+        let by_force = law.proportional() && law.relaxation * fastest > 1.0;
         let second = if by_force { overlap + law.relaxation * rate } else { rate };
         self.links.push(Link { first, side, law, overlap, second, by_force, record });
         self.before = None;
@@ -114,11 +115,11 @@ impl<const D: usize> Cluster<D> {
         }
     }
 
-    /// The link that most needs its square root removed: the viscoelastic one with least overlap.
+    /// The link that most needs the roots of its law removed: among those, the one with least overlap.
     pub(super) fn regular(&self) -> Option<usize> {
         let able = |link: &&(usize, &Link<D>)| {
             let link = link.1;
-            link.law.shape == Shape::Hertz && (link.overlap > 0.0 || link.rate() > 0.0)
+            link.law.order() > 1 && (link.overlap > 0.0 || link.rate() > 0.0)
         };
         let all: Vec<(usize, &Link<D>)> = self.links.iter().enumerate().collect();
         let least =
@@ -130,8 +131,12 @@ impl<const D: usize> Cluster<D> {
     pub(super) fn first_step(&self, regular: Option<usize>) -> f64 {
         let span = self.links.iter().map(|l| self.span(l)).fold(f64::INFINITY, f64::min) / 6.0;
         let Some(m) = regular else { return span };
-        let (q, u) = (self.links[m].overlap.max(0.0).sqrt(), self.links[m].rate().max(0.0));
-        span / (q + (q * q + u * span).sqrt())
+        let (x, u) = (self.links[m].overlap.max(0.0), self.links[m].rate().max(0.0));
+        let (q, p) = (self.links[m].law.root(x), self.links[m].law.order());
+        match u * span > 1e-3 * x {
+            true => ((x + u * span).powf(1.0 / f64::from(p)) - q) / u,
+            false => span / (f64::from(p) * q.powi(p - 1)),
+        }
     }
 
     fn span(&self, link: &Link<D>) -> f64 {

@@ -1,6 +1,7 @@
 //! What changes when a contact begins or ends? Reads the run at that instant; writes its clusters, records and forecasts.
 
 use super::super::cluster::{Cluster, Side};
+use super::super::contact_law::ContactLaw;
 use super::super::law::End;
 use super::super::system::Boundary;
 use super::super::vector::{dot, length, minus};
@@ -14,7 +15,7 @@ impl<const D: usize> Exact<D> {
         for i in 0..self.grains.len() {
             for target in self.near(i) {
                 let [x, u] = self.approach(i, target);
-                let pushes = x + self.relaxation(i, target) * u > 0.0;
+                let pushes = self.contact_law(i, target).push(x, u) > 0.0;
                 if x > 0.0 && (pushes || self.end == End::Overlap) {
                     self.begin(i, target, true);
                 }
@@ -63,11 +64,7 @@ impl<const D: usize> Exact<D> {
         }
     }
 
-    pub(super) fn relaxation(&self, i: usize, target: Target<D>) -> f64 {
-        self.contact_law(i, target).relaxation
-    }
-
-    fn contact_law(&self, i: usize, target: Target<D>) -> super::super::law::ContactLaw {
+    pub(super) fn contact_law(&self, i: usize, target: Target<D>) -> ContactLaw {
         let a = &self.grains[i];
         match target {
             Target::Wall { .. } => self.law.wall(a.radius, a.mass),

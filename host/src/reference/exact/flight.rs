@@ -1,7 +1,7 @@
 //! When does a free grain touch next? Reads free flights; writes the earliest contact of a grain.
 
 use super::super::law::End;
-use super::super::roots::quadratic;
+use super::super::roots::{bracketed, quadratic};
 use super::super::system::Boundary;
 use super::super::vector::{Vector, dot, length, minus};
 use super::Exact;
@@ -90,11 +90,18 @@ impl<const D: usize> Exact<D> {
             return Some(0.0);
         }
         let grain = &self.grains[i];
-        let theta = self.law.wall(grain.radius, grain.mass).relaxation;
+        let law = self.law.wall(grain.radius, grain.mass);
+        let theta = law.relaxation;
         let [left, back] = quadratic(a, b, c);
         let back = back.or(if a < 0.0 { left } else { None });
         if self.end == End::Overlap || theta == 0.0 || a >= 0.0 {
             return back;
+        }
+        if !law.proportional() {
+            // The overlap is largest, and its rate zero, halfway at the latest.
+            let push = |t: f64| law.push(-c - t * (b + t * a), -b - 2.0 * t * a);
+            let top = back.filter(|back| push(*back) > 0.0 && push(0.0) <= 0.0);
+            return top.map_or(back, |top| Some(bracketed(push, 0.0, top)));
         }
         let [early, late] = quadratic(-a, -b - 2.0 * theta * a, -c - theta * b);
         let push = late.or(early).filter(|t| c + t * (b + t * a) <= 0.0);

@@ -128,11 +128,11 @@ impl<const D: usize> Exact<D> {
         None
     }
 
-    /// Positive where two overlapping grains out of contact would push again: w = x + θ ẋ, or ẋ.
+    /// Positive where two overlapping grains out of contact would push again: w = x^s + θ ẋ, or ẋ.
     fn push(&self, grain: usize, target: Target<D>, time: f64) -> f64 {
         let [x, u] = self.approach_at(grain, target, time);
         match self.end {
-            End::Force => x + self.relaxation(grain, target) * u,
+            End::Force => self.contact_law(grain, target).push(x, u),
             End::Overlap => u,
         }
     }

@@ -1,6 +1,6 @@
 //! How long a step, which pairs, how often a new list? Reads speeds and sizes; writes the step and the pair list.
 
-use super::super::law::ContactLaw;
+use super::super::contact_law::ContactLaw;
 use super::super::system::Boundary;
 use super::super::vector::length;
 use super::Verlet;

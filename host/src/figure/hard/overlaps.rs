@@ -1,0 +1,164 @@
+//! Which grains overlap, and does that get worse? Reads each collision just before and after; writes nothing, keeps a ledger.
+//!
+//! Two grains come to overlap only where they collide (BSFP14 §3), so the pairs that a grain overlaps
+//! are among those it collided with. They are looked at whenever one of the two has an event.
+
+use carom::event::Kind;
+use carom::number::Vector;
+use carom::world::Happening;
+use carom::{View, Watch};
+
+/// A pair just before it collides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    /// |r| − σ in units of the last place: of numbers just above σ where it is positive, just
+    /// below where it is negative, so that it counts floating-point numbers.
+    pub excess: f64,
+    /// Whether it overlaps.
+    pub overlapping: bool,
+    /// Whether one of the two overlaps a third grain as well.
+    pub three_body: bool,
+}
+
+/// The ledger of overlapping pairs of grains of diameter 1.
+#[derive(Clone, Debug, Default)]
+pub struct Overlaps {
+    /// For each grain: whom it overlapped when last looked at, and f = r² − σ² then.
+    open: Vec<Vec<(usize, f64)>>,
+    /// The impact that is due.
+    pub impact: Option<Impact>,
+    /// Impacts so far.
+    pub impacts: u64,
+    /// Impacts of overlapping pairs.
+    pub overlapping: u64,
+    /// Impacts with a third grain overlapped.
+    pub three_body: u64,
+    /// The least |r| − σ seen.
+    pub deepest: f64,
+    /// The largest decrease of an overlap function from one look to the next while it was negative,
+    /// as a length: Δf/(2σ).
+    pub decrease: f64,
+    /// Pairs that overlapped and still approached after an event of one of them.
+    pub approaching: u64,
+    /// The fastest of them, as −r·v/(σ |v|).
+    pub fastest: f64,
+}
+
+impl Overlaps {
+    /// No pair of so many grains overlaps.
+    pub fn new(grains: usize) -> Self {
+        Self { open: vec![Vec::new(); grains], ..Self::default() }
+    }
+
+    /// Adds what another ledger has counted.
+    pub fn add(&mut self, other: &Self) {
+        self.impacts += other.impacts;
+        self.overlapping += other.overlapping;
+        self.three_body += other.three_body;
+        self.deepest = self.deepest.min(other.deepest);
+        self.decrease = self.decrease.max(other.decrease);
+        self.approaching += other.approaching;
+        self.fastest = self.fastest.max(other.fastest);
+    }
+
+    /// Looks at the pairs in which a grain overlapped: how they are now, who is done.
+    fn look<const D: usize>(&mut self, i: usize, view: &View<'_, f64, D>) {
+        let mut pairs = std::mem::take(&mut self.open[i]);
+        pairs.retain_mut(|(m, before)| {
+            let Some((r, _)) = pair(view, i, *m) else { return false };
+            let now = overlap(&r);
+            self.decrease = self.decrease.max((*before - now) / 2.0);
+            *before = now;
+            let gone = now >= 0.0;
+            self.note(*m, i, (!gone).then_some(now));
+            !gone
+        });
+        self.open[i] = pairs;
+    }
+
+    /// Writes down for grain `i` that it overlaps `m` so much, or not any more.
+    fn note(&mut self, i: usize, m: usize, overlap: Option<f64>) {
+        let list = &mut self.open[i];
+        let place = list.iter().position(|(other, _)| *other == m);
+        match (place, overlap) {
+            (Some(place), Some(f)) => list[place].1 = f,
+            (Some(place), None) => {
+                list.swap_remove(place);
+            }
+            (None, Some(f)) => list.push((m, f)),
+            (None, None) => {}
+        }
+    }
+
+    /// The pair that is about to collide.
+    fn impact<const D: usize>(&self, i: usize, k: usize, r: &Vector<f64, D>) -> Impact {
+        let distance = r.dot(r).sqrt();
+        let gap = distance - 1.0;
+        let place = if gap < 0.0 { f64::EPSILON / 2.0 } else { f64::EPSILON };
+        let overlapping = overlap(r) < 0.0;
+        let third = |a: usize, b: usize| self.open[a].iter().any(|(m, _)| *m != b);
+        Impact {
+            excess: gap / place,
+            overlapping,
+            three_body: overlapping && (third(i, k) || third(k, i)),
+        }
+    }
+
+    fn count(&mut self, impact: Impact, r2: f64) {
+        self.impact = Some(impact);
+        self.impacts += 1;
+        self.overlapping += u64::from(impact.overlapping);
+        self.three_body += u64::from(impact.three_body);
+        self.deepest = self.deepest.min(r2.sqrt() - 1.0);
+    }
+
+    /// After an event: do overlapping pairs part, or at least not approach?
+    fn check<const D: usize>(&mut self, i: usize, view: &View<'_, f64, D>) {
+        for (m, _) in &self.open[i] {
+            let Some((r, v)) = pair(view, i, *m) else { continue };
+            let approach = -r.dot(&v);
+            if approach > 0.0 && overlap(&r) < 0.0 {
+                self.approaching += 1;
+                self.fastest = self.fastest.max(approach / v.dot(&v).sqrt());
+            }
+        }
+    }
+}
+
+impl<const D: usize> Watch<f64, D> for Overlaps {
+    fn before(&mut self, happening: &Happening<f64>, view: View<'_, f64, D>) {
+        self.impact = None;
+        let (Kind::Meet, Some(k)) = (happening.kind, happening.partner.as_grain()) else { return };
+        let i = happening.grain;
+        self.look(i, &view);
+        self.look(k, &view);
+        let Some((r, _)) = pair(&view, i, k) else { return };
+        let impact = self.impact(i, k, &r);
+        self.count(impact, r.dot(&r));
+        let f = overlap(&r);
+        for (a, b) in [(i, k), (k, i)] {
+            self.note(a, b, (f < 0.0).then_some(f));
+        }
+    }
+
+    fn after(&mut self, happening: &Happening<f64>, view: View<'_, f64, D>) {
+        let (Kind::Meet, Some(k)) = (happening.kind, happening.partner.as_grain()) else { return };
+        self.check(happening.grain, &view);
+        self.check(k, &view);
+    }
+}
+
+/// Separation and relative velocity.
+fn pair<const D: usize>(
+    view: &View<'_, f64, D>,
+    i: usize,
+    k: usize,
+) -> Option<(Vector<f64, D>, Vector<f64, D>)> {
+    let (a, b) = (view.grain(i)?, view.grain(k)?);
+    Some((view.boundary().nearest(a.position - b.position), a.velocity - b.velocity))
+}
+
+/// f = r² − σ², BSFP14 Eq. (8).
+fn overlap<const D: usize>(r: &Vector<f64, D>) -> f64 {
+    r.dot(r) - 1.0
+}

@@ -1,0 +1,60 @@
+//! Is any text a scenario, or refused in one line? Reads bytes; writes nothing, panics if it is neither.
+
+use anyhow::Result;
+use carom_host::method::{self, Method};
+use carom_host::scenario::{LawSpec, MethodName, Scenario, Start};
+
+/// Grains that one input may have; more say nothing new.
+const MOST: usize = 60;
+/// Events that one input may take.
+const EVENTS: u64 = 3000;
+/// Looks at one input: each goes twice as far as the one before.
+const LOOKS: i32 = 60;
+
+/// Parses a scenario, starts it and runs it by every event-driven method.
+///
+/// # Errors
+/// Why it was refused, for whoever wants to know.
+pub fn run(bytes: &[u8]) -> Result<()> {
+    let Ok(text) = std::str::from_utf8(bytes) else { return Ok(()) };
+    one_line(Scenario::parse(text)).and_then(|scenario| started(&scenario))
+}
+
+fn started(scenario: &Scenario) -> Result<()> {
+    if scenario.gas.as_ref().is_some_and(|gas| gas.count > MOST) || scenario.grains.len() > MOST {
+        return Ok(());
+    }
+    let start = one_line(Start::new(scenario))?;
+    let methods = match scenario.law {
+        LawSpec::Constant { .. } => &[MethodName::Emd][..],
+        _ => &[MethodName::Emd, MethodName::EmdStar],
+    };
+    methods.iter().try_for_each(|name| {
+        one_line(method::with(*name, scenario, &start, |method| go(method, scenario)))
+    })
+}
+
+/// Doubles the time until the events are used up or the scenario is over.
+fn go(method: &mut dyn Method, scenario: &Scenario) -> Result<()> {
+    let end = scenario.duration.unwrap_or(1e6 * scenario.sample);
+    for look in (0..LOOKS).rev() {
+        let before = method.time();
+        method.advance_to(end * 0.5_f64.powi(look))?;
+        assert!(method.time() >= before, "time went back from {before} to {}", method.time());
+        assert!(!method.kinetic_energy().is_nan(), "kinetic energy is not a number");
+        let events: u64 = method.counters().iter().map(|(_, count)| count).sum();
+        if events > EVENTS {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// An error is one line.
+fn one_line<T>(result: Result<T>) -> Result<T> {
+    if let Err(error) = &result {
+        let text = format!("{error:#}");
+        assert_eq!(text.lines().count(), 1, "{text:?}");
+    }
+    result
+}

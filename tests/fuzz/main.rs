@@ -1,0 +1,43 @@
+//! Do the inputs that fuzzing found still run? Reads tests/data/fuzz; writes nothing.
+//!
+//! The bodies in `body/` are the ones that the targets in `fuzz/` hammer with bytes of their own.
+
+mod body;
+
+use std::fmt::Display;
+use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
+
+/// Every file of one corpus, in the order of their names.
+fn corpus(target: &str) -> Vec<(PathBuf, Vec<u8>)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/fuzz").join(target);
+    let mut files: Vec<PathBuf> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    files.into_iter().map(|file| (file.clone(), std::fs::read(file).unwrap())).collect()
+}
+
+/// Runs a body on every file, says how each ended, and names those that break it.
+fn replay<E: Display>(target: &str, at_least: usize, body: fn(&[u8]) -> Result<(), E>) {
+    let files = corpus(target);
+    assert!(files.len() >= at_least, "only {} files for {target}", files.len());
+    let mut broken = Vec::new();
+    for (file, bytes) in files {
+        match catch_unwind(|| body(&bytes)) {
+            Ok(Ok(())) => println!("{}: runs", file.display()),
+            Ok(Err(why)) => println!("{}: {why:#}", file.display()),
+            Err(_) => broken.push(file),
+        }
+    }
+    assert!(broken.is_empty(), "{target} breaks on {broken:?}");
+}
+
+#[test]
+fn worlds_from_bytes_hold() {
+    replay("world", 8, body::world::run);
+}
+
+#[test]
+fn scenarios_from_text_hold() {
+    replay("scenario", 6, body::scenario::run);
+}
