@@ -6,7 +6,7 @@ use carom::law::{HardSphere, LinearDashpot, Outside, Soft, Viscoelastic};
 use carom::matter::cells::Link;
 use carom::matter::{Body, Plane, Surface};
 use carom::world::{Room, Saved};
-use carom::{Fault, Grain, Instant, Lend, Memory, Scalar, World};
+use carom::{Fault, Grain, Instant, Lend, Memory, World};
 
 const ELASTIC: HardSphere<f64> = HardSphere { restitution: 1.0 };
 

@@ -91,7 +91,7 @@ fn side<'m, S: Scalar, const D: usize>(
     let plane = |at: S, facing: f64| {
         let mut normal = [S::zero(); D];
         normal[axis] = S::from_f64(facing);
-        Plane { normal: normal.into(), offset: at * S::from_f64(facing), surface }
+        Plane { normal: normal.into(), offset: at * S::from_f64(facing), surface, vibration: None }
     };
     setup.plane(plane(low, 1.0)).plane(plane(high, -1.0))
 }
@@ -111,7 +111,7 @@ fn tilted<'m, S: Scalar, const D: usize>(
     }
     let offset = draw.number();
     let surface = if draw.below(2) == 0 { Surface::Rule } else { Surface::Hard(draw.fraction()) };
-    setup.plane(Plane { normal: normal.into(), offset, surface })
+    setup.plane(Plane { normal: normal.into(), offset, surface, vibration: None })
 }
 
 fn release(draw: &mut Draw<'_>) -> Release {
