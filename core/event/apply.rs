@@ -219,22 +219,25 @@ fn grains<S: Scalar, const D: usize>(
     }
     let encounter = touch.encounter(a, b);
     let response = ask(rule, &encounter, &mut scene.counters, (i, Partner::grain(k)))?;
+    let (restitution, duration) = match response {
+        Response::Lasting(outcome) => (outcome.restitution, outcome.duration),
+        Response::Instant(restitution) => (restitution, S::zero()),
+        Response::Refused { .. } => return Ok(Deed::Wander),
+    };
     scene.counters.collisions += 1;
+    let is_slow = rest::is_slow(scene, &pair, &touch, [restitution, duration]);
+    let pace = (is_slow, touch.radial);
+    let pair =
+        [rest::calmed(scene, (i, a), pace, affected), rest::calmed(scene, (k, b), pace, affected)];
+    if is_slow && rest::comes(scene, who, &pair, &touch) {
+        return Ok(Deed::Rest);
+    }
+    let [frozen, held] = [Body::is_frozen, Body::is_held].map(|is| pair.iter().any(is));
     match response {
-        Response::Lasting(outcome) => {
-            let slow = [outcome.restitution, outcome.duration];
-            if rest::is_slow(scene, &pair, &touch, slow) {
-                return Ok(rest::lean(scene, who, &pair, &touch, affected));
-            }
-            contact(scene, who, &pair, (&touch, &outcome), affected)
-        }
-        Response::Instant(restitution) => {
-            if rest::is_slow(scene, &pair, &touch, [restitution, S::zero()]) {
-                return Ok(rest::lean(scene, who, &pair, &touch, affected));
-            }
-            bounce::grains(scene, who, &pair, &touch, restitution, affected)
-        }
-        Response::Refused { .. } => Ok(Deed::Wander),
+        _ if is_slow && frozen => rest::part(scene, who, &pair, &touch, affected),
+        Response::Lasting(outcome) => contact(scene, who, &pair, (&touch, &outcome), affected),
+        _ if is_slow && held => rest::part(scene, who, &pair, &touch, affected),
+        _ => bounce::grains(scene, who, &pair, &touch, (restitution, is_slow), affected),
     }
 }
 
@@ -263,7 +266,7 @@ fn contact<S: Scalar, const D: usize>(
     let (at_a, at_b) = (a.position + moved * share_a, b.position + moved * share_b);
     if !(scene.is_free(i, at_a, Partner::grain(k)) && scene.is_free(k, at_b, Partner::grain(i))) {
         scene.counters.rotation_refused += 1;
-        return bounce::grains(scene, who, pair, touch, outcome.restitution, affected);
+        return bounce::grains(scene, who, pair, touch, (outcome.restitution, false), affected);
     }
     let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / mass);
     let bound = |body: &Body<S, D>, position, share, partner| Body {

@@ -10,7 +10,7 @@ use super::scene::{Counters, Scene};
 use super::turn::Touch;
 use crate::fault::Fault;
 use crate::matter::{Body, Partner};
-use crate::number::Scalar;
+use crate::number::{Scalar, Vector};
 
 /// After so many collisions right after each other they are elastic.
 const fn patience<const D: usize>() -> u16 {
@@ -26,20 +26,20 @@ pub(super) fn grains<S: Scalar, const D: usize>(
     who: [usize; 2],
     pair: &[Body<S, D>; 2],
     touch: &Touch<S, D>,
-    restitution: S,
+    (restitution, is_slow): (S, bool),
     affected: &mut Affected,
 ) -> Result<Deed<S>, Fault> {
     let [a, b] = pair;
     let [i, k] = who;
     let speed = -touch.radial;
-    let bursts = [burst(scene, a, speed), burst(scene, b, speed)];
-    let [x, y] = bursts;
+    let [x, y] = [a, b].map(|body| burst(scene, body, speed, is_slow));
     let last = a.last_collision().larger(b.last_collision());
-    let restitution = lasting::<S, D>(scene, restitution, last, x.max(y));
+    let restitution = lasting::<S, D>(scene, restitution, (last, is_slow), x.max(y));
     if x.min(y) >= MOST {
         return Err(stuck(scene, i, Partner::grain(k), x.min(y)));
     }
-    let change = touch.e_r * ((S::one() + restitution) * speed);
+    let away = (restitution * speed).larger(told_apart(&a.velocity) + told_apart(&b.velocity));
+    let change = touch.e_r * (speed + away);
     let mass = a.mass + b.mass;
     rest::push(scene, i, &Body { burst: kept(a, x), ..*a }, change * (b.mass / mass), affected);
     rest::push(scene, k, &Body { burst: kept(b, y), ..*b }, -change * (a.mass / mass), affected);
@@ -56,17 +56,29 @@ pub(super) fn plane<S: Scalar, const D: usize>(
 ) -> Result<Deed<S>, Fault> {
     let Some(plane) = scene.boundary.planes().get(p) else { return Ok(Deed::Wander) };
     let normal = plane.normal;
-    let burst = burst(scene, body, speed);
+    let is_slow = speed + speed <= scene.gravity.dot(&scene.gravity).sqrt() * scene.hop;
+    let burst = burst(scene, body, speed, is_slow);
     if burst >= MOST {
         return Err(stuck(scene, i, Partner::plane(p), burst));
     }
     if rest::settles(scene, body, p, [speed * restitution, restitution, S::zero()]) {
         return Ok(rest::settle(scene, i, body, p));
     }
-    let restitution = lasting::<S, D>(scene, restitution, body.last_collision(), burst);
-    let change = normal * (speed + speed * restitution);
+    let restitution = lasting::<S, D>(scene, restitution, (body.last_collision(), false), burst);
+    let away = (speed * restitution).larger(S::zero());
+    let mut change = normal * (speed + away);
+    if normal.dot(&(body.velocity + change)) < scene.speed_of(p) {
+        change += normal * told_apart(&body.velocity);
+    }
     rest::push(scene, i, &Body { burst: kept(body, burst), ..*body }, change, affected);
     Ok(Deed::Collision { restitution })
+}
+
+/// The smallest change of a velocity that its rounding does not swallow. Grains part at least this
+/// fast: with ε = 0, else, rounding could leave them approaching, and the collision would repeat itself.
+fn told_apart<S: Scalar, const D: usize>(velocity: &Vector<S, D>) -> S {
+    let largest = velocity.iter().fold(S::zero(), |most, v| most.larger(v.magnitude()));
+    largest * S::RESOLUTION * S::from_f32(4.0)
 }
 
 /// A frozen body stays one until it is pushed.
@@ -75,13 +87,18 @@ fn kept<S: Scalar, const D: usize>(body: &Body<S, D>, burst: u16) -> u16 {
 }
 
 /// How many collisions the body has had right after each other, this one included: it flew less than
-/// the rounding of its position since the last.
-fn burst<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, body: &Body<S, D>, speed: S) -> u16 {
+/// the rounding of its position since the last. Slow ones have been counted already.
+fn burst<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    body: &Body<S, D>,
+    speed: S,
+    is_slow: bool,
+) -> u16 {
     let far = body.position.iter().fold(body.radius, |far, x| far.larger(x.magnitude()));
     let last = body.last_collision();
     let flown = if last > -S::NEVER { (scene.now - last) * speed } else { S::NEVER };
     if body.is_frozen() || !(flown <= far * S::RESOLUTION * S::from_f32(4.0)) {
-        return 0;
+        return if is_slow { body.burst } else { 0 };
     }
     (body.burst + 1).min(MOST)
 }
@@ -90,10 +107,11 @@ fn burst<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, body: &Body<S, D>, 
 fn lasting<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     restitution: S,
-    last: S,
+    (last, is_slow): (S, bool),
     burst: u16,
 ) -> S {
-    let soon = last > -S::NEVER && scene.now - last < scene.t_c;
+    let t_c = if is_slow { scene.t_c.larger(scene.hop) } else { scene.t_c };
+    let soon = last > -S::NEVER && scene.now - last < t_c;
     let endless = burst >= patience::<D>();
     if restitution < S::one() && (soon || endless) {
         let Counters { within_tc, collapses, .. } = &mut scene.counters;

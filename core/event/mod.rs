@@ -10,6 +10,7 @@ pub(crate) mod queue;
 pub(crate) mod rest;
 pub mod root;
 pub(crate) mod scene;
+pub(crate) mod support;
 mod touch;
 pub(crate) mod turn;
 

@@ -42,7 +42,8 @@ pub struct Counters {
     pub rests: u64,
     /// Grains at rest that were let go: their plate fell away faster than they fall, or they were hit.
     pub take_offs: u64,
-    /// Collisions made elastic by the TC rule: the last one was less than t_c ago.
+    /// Collisions made elastic because the last one was less than t_c ago (the TC rule), or, of slow
+    /// ones under gravity in two and three dimensions, less than the hop time.
     pub within_tc: u64,
     /// Collisions made elastic because a collapse would not have ended.
     pub collapses: u64,
@@ -92,6 +93,8 @@ pub(crate) struct Scene<'m, S: Scalar, const D: usize> {
     pub release: Release,
     /// The TC rule's contact duration t_c; 0 without the rule.
     pub t_c: S,
+    /// Hops shorter than this are none, see [`super::support::hop`].
+    pub hop: S,
     pub counters: Counters,
 }
 
@@ -107,6 +110,11 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
     /// What moves grains between events.
     pub fn field(&self) -> Field<'_, S, D> {
         Field { gravity: &self.gravity, boundary: &self.boundary }
+    }
+
+    /// How fast plane `p` moves along its normal now.
+    pub fn speed_of(&self, p: usize) -> S {
+        self.boundary.planes().get(p).map_or(S::zero(), |plane| plane.motion(self.now).speed)
     }
 
     /// The body as it was kept, at its own clock.

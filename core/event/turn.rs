@@ -26,7 +26,8 @@ impl<S: Scalar, const D: usize> Touch<S, D> {
             return None;
         }
         let e_r = separation / distance;
-        let radial = e_r.dot(&velocity);
+        // The sign is that of r·v, as in the prediction: else rounding could make an event of nothing.
+        let radial = separation.dot(&velocity) / distance;
         let across = velocity - e_r * radial;
         let tangential = if D > 1 { across.dot(&across).sqrt() } else { S::zero() };
         let e_t = if tangential > S::zero() { across / tangential } else { Vector::zeros() };

@@ -4,7 +4,7 @@ use super::memory::{Lend, Room};
 use super::{World, check};
 use crate::event::queue::Queue;
 use crate::event::scene::{Counters, Release, Scene};
-use crate::event::{Slot, predict};
+use crate::event::{Slot, predict, support};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
 use crate::matter::boundary::MOST_PLANES;
@@ -213,6 +213,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
             largest_radius,
             release: self.release,
             t_c: self.t_c,
+            hop: support::hop(&self.gravity, largest_radius),
             counters: Counters::default(),
         };
         scene.fill_cells();

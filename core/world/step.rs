@@ -3,7 +3,7 @@
 use super::World;
 use super::watch::{Happening, View, Watch};
 use crate::event::apply::{self, Affected, Deed};
-use crate::event::{Counters, Kind, Slot, order, rest};
+use crate::event::{Counters, Kind, Slot, order, rest, support};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
 use crate::matter::{Field, Grain, flight};
@@ -153,7 +153,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         for &grain in &affected.woken {
             let cell = self.scene.body(grain).map_or(0, |body| body.cell);
             for k in self.scene.cells.near(cell) {
-                if rest::lies_on(&self.scene, k, grain) {
+                if support::lies_on(&self.scene, k, grain) {
                     self.queue.set(k, Slot::alone(self.scene.now, Kind::Check));
                 }
             }
@@ -219,6 +219,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         self.set_clocks_back(self.scene.now);
         self.at_once = 0;
         self.scene.gravity = gravity;
+        self.scene.hop = support::hop(&gravity, self.scene.largest_radius);
         for body in self.scene.bodies.iter_mut() {
             *body = body.let_go();
         }
