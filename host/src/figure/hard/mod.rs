@@ -4,11 +4,11 @@
 
 mod gauge;
 mod overlaps;
-mod soak;
+mod run;
 
 pub use gauge::Gauge;
 pub use overlaps::{Impact, Overlaps};
-pub use soak::{Soak, State};
+pub use run::{Pace, Run};
 
 use crate::storage::Storage;
 use anyhow::{Result, ensure};
