@@ -93,7 +93,8 @@ fn report(out: &mut impl Write, pace: &Pace, overlaps: &Overlaps) -> Result<()> 
     )?;
     writeln!(out, "  events before their predecessor: {}", pace.backward)?;
     writeln!(out, "  most collisions at one instant: {}", pace.at_once)?;
-    writeln!(out, "  counters: {:?}", pace.counters)?;
+    let counters = pace.counters.iter().map(|(name, count)| format!("{name} {count}"));
+    writeln!(out, "  counters: {}", counters.collect::<Vec<_>>().join(", "))?;
     Ok(())
 }
 

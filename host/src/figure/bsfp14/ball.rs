@@ -204,9 +204,9 @@ pub fn make(options: &Options) -> Result<Made> {
         progress.add(1);
     }
     let look = Look::new("A bouncing ball on 10^{6} plates: when does detection end?")
-        .scales(Scale::LINEAR.from(20.0, 50.0), Scale::LOG.from(1e-6, 2.0))
+        .scales(Scale::LINEAR.from(25.0, 34.0), Scale::LOG.from(1e-6, 2.0))
         .kinds(&[Kind::Both])
-        .mark(Mark::Place(30.0, "paper: halts after ≈ 30".to_owned()));
+        .mark(Mark::Place(30.0, "paper: halts after about 30".to_owned()));
     let picture = draw::draw(&figure, &look);
     Ok(Made { figure, picture, notes })
 }

@@ -3,6 +3,7 @@
 use super::gas::{self, REACH, Seen};
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};
 use crate::figure::{Figure, Made, Note, Options, Series};
+use crate::plot::{Colour, colour};
 use anyhow::Result;
 
 const RESTITUTIONS: [f64; 3] = [1.0, 0.9, 0.5];
@@ -12,7 +13,7 @@ const GRAINS: usize = 13_500;
 
 /// Makes the figure: one histogram for each density and coefficient of restitution.
 pub fn make(options: &Options) -> Result<Made> {
-    let collisions = if options.full { 1_000_000_000 } else { 400_000 };
+    let collisions = if options.full { 1_000_000_000 } else { 250_000 };
     let seen = gas::all("bsfp14-3", GRAINS, [&DENSITIES, &RESTITUTIONS], collisions)?;
     let axes = ["|r| − σ [floating-point numbers from σ]", "share of impacts"];
     let mut figure = Figure::new("bsfp14-3", axes);
@@ -27,6 +28,7 @@ pub fn make(options: &Options) -> Result<Made> {
         .scales(Scale::LINEAR.from(-60.0, 60.0), Scale::LOG.from(1e-6, 1.0))
         .kinds(&[Kind::Line])
         .mark(Mark::Place(0.0, "paper: mean and mode at σ".to_owned()));
+    let look = Look { colours: colours(), ..look };
     let picture = draw::draw(&figure, &look);
     Ok(Made { figure, picture, notes })
 }
@@ -44,8 +46,7 @@ fn series(seen: &Seen) -> Series {
         .param("deviation_in_ulps", deviation)
         .param("deepest", -overlaps.deepest);
     for (bin, hits) in (-REACH..).zip(&seen.histogram).filter(|(_, hits)| **hits > 0) {
-        let hits = *hits as f64;
-        series.push_with_error(f64::from(bin), hits / count, hits.sqrt() / count);
+        series.push(f64::from(bin), *hits as f64 / count);
     }
     series
 }
@@ -61,4 +62,11 @@ fn note(seen: &Seen) -> Note {
     );
     let what = format!("ε = {restitution}, ρ = {density}");
     Note::new(what, "mean and mode at σ; about half overlap", ours)
+}
+
+/// One colour a density, paler the more dissipative.
+fn colours() -> Vec<Colour> {
+    let hues = [colour::BLUE, colour::EMD_STAR, colour::EMD];
+    let shades = |hue: Colour| [1.0, 0.65, 0.35].map(|opacity| hue.with_opacity(opacity));
+    hues.into_iter().flat_map(shades).collect()
 }

@@ -36,8 +36,8 @@ pub struct Pace {
     pub units: u32,
     /// Kinetic energy a grain, in the present unit.
     pub energy: f64,
-    /// The engine's counters, in all units of time.
-    pub counters: Counters,
+    /// The engine's counters, summed over all units of time.
+    pub counters: Vec<(&'static str, u64)>,
     /// Events that were before the one before them.
     pub backward: u64,
     /// The most collisions at one instant.
@@ -134,11 +134,13 @@ impl Pace {
 }
 
 /// Counters of an earlier unit of time and of this one.
-fn sum(total: &Counters, more: &Counters) -> Counters {
-    let mut all = *more;
-    all.collisions += total.collisions;
-    all.stale += total.stale;
-    all.wanderings += total.wanderings;
-    all.epochs += total.epochs;
-    all
+fn sum(total: &[(&'static str, u64)], more: &Counters) -> Vec<(&'static str, u64)> {
+    let more = [
+        ("collisions", more.collisions),
+        ("stale", more.stale),
+        ("wanderings", more.wanderings),
+        ("epochs", more.epochs),
+    ];
+    let before = |name: &str| total.iter().find(|(other, _)| *other == name).map_or(0, |(_, n)| *n);
+    more.iter().map(|(name, count)| (*name, before(name) + count)).collect()
 }
