@@ -34,6 +34,10 @@ enum Command {
     Fluid(commands::fluid::Options),
     /// Run a dissipative gas for millions of collisions, and check that nothing breaks.
     Soak(commands::soak::Options),
+    /// Do many runs of a scenario, each with other fields or seeds; a Parquet row for each.
+    Sweep(commands::sweep::Options),
+    /// Put the shards of a sweep together.
+    Merge(commands::merge::Options),
     /// Measure collisions per second and bytes per grain.
     Bench(commands::bench::Options),
     /// Show what the embedded tables hold and how exact they are.
@@ -56,6 +60,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
         Some(Command::Collide(options)) => commands::collide::run(&options),
         Some(Command::Fluid(options)) => commands::fluid::run(&options),
         Some(Command::Soak(options)) => commands::soak::run(&options),
+        Some(Command::Sweep(options)) => commands::sweep::run(&options),
+        Some(Command::Merge(options)) => commands::merge::run(&options),
         Some(Command::Bench(options)) => commands::bench::run(&options),
         Some(Command::Table(options)) => commands::table::run(&options),
         Some(Command::Run(options)) => commands::run::run(&options),

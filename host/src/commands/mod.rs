@@ -7,6 +7,8 @@ pub mod demo;
 pub mod divergence;
 pub mod figure;
 pub mod fluid;
+pub mod merge;
 pub mod run;
 pub mod soak;
+pub mod sweep;
 pub mod table;
