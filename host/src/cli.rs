@@ -30,8 +30,16 @@ enum Command {
     Figure(commands::figure::Options),
     /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
     Collide(commands::collide::Options),
+    /// Measure pressure and mean free time of hard spheres and disks against published values.
+    Fluid(commands::fluid::Options),
     /// Run a dissipative gas for millions of collisions, and check that nothing breaks.
     Soak(commands::soak::Options),
+    /// Do many runs of a scenario, each with other fields or seeds; a Parquet row for each.
+    Sweep(commands::sweep::Options),
+    /// Put the shards of a sweep together.
+    Merge(commands::merge::Options),
+    /// Measure collisions per second and bytes per grain.
+    Bench(commands::bench::Options),
     /// Show what the embedded tables hold and how exact they are.
     Table(commands::table::Options),
 }
@@ -50,7 +58,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
         Some(Command::Divergence(options)) => commands::divergence::run(&options),
         Some(Command::Figure(options)) => commands::figure::run(&options),
         Some(Command::Collide(options)) => commands::collide::run(&options),
+        Some(Command::Fluid(options)) => commands::fluid::run(&options),
         Some(Command::Soak(options)) => commands::soak::run(&options),
+        Some(Command::Sweep(options)) => commands::sweep::run(&options),
+        Some(Command::Merge(options)) => commands::merge::run(&options),
+        Some(Command::Bench(options)) => commands::bench::run(&options),
         Some(Command::Table(options)) => commands::table::run(&options),
         Some(Command::Run(options)) => commands::run::run(&options),
         Some(Command::Demo(options)) => commands::demo::run(&options),

@@ -4,6 +4,7 @@
 //! scenario by several methods, and the pictures. Everything the program does can be reached from
 //! here, which is how the tests reach it.
 
+pub mod bench;
 pub mod cli;
 pub mod collide;
 pub mod commands;
@@ -20,4 +21,5 @@ pub mod run;
 pub mod scale;
 pub mod scenario;
 pub mod storage;
+pub mod sweep;
 pub mod tables;

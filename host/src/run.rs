@@ -61,7 +61,7 @@ impl Plan {
     }
 
     /// The instant of a sample: multiples of the interval, and the end.
-    fn instant(&self, number: u32) -> f64 {
+    pub fn instant(&self, number: u32) -> f64 {
         let time = f64::from(number) * self.sample;
         // A last interval that differs from the others by round-off only is no interval.
         if time > self.duration - 1e-9 * self.sample { self.duration } else { time }

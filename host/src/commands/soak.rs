@@ -1,7 +1,7 @@
 //! `carom soak`: can anything stop a dissipative gas? Runs collisions by the million; writes what was seen and counted.
 
 use crate::figure::Progress;
-use crate::figure::hard::{Fluid, Soak, State};
+use crate::figure::hard::{Fluid, Overlaps, Pace, Run};
 use anyhow::{Result, ensure};
 use clap::Args;
 use std::io::Write;
@@ -32,6 +32,9 @@ fn fraction(text: &str) -> Result<f64> {
     Ok(value)
 }
 
+/// By how much an overlap may become deeper by rounding of positions in a box of some ten diameters.
+const DEEPER: f64 = 1e-14;
+
 /// Lines about progress.
 const LINES: u64 = 10;
 
@@ -46,38 +49,40 @@ pub fn run(options: &Options) -> Result<()> {
     writeln!(out, "{grains} hard spheres, density {density}, restitution {restitution}")?;
     writeln!(out, "  {:>12}  {:>11}  {:>13}  time", "collisions", "wall s", "energy/grain")?;
     let begin = std::time::Instant::now();
-    let mut soak = Soak::new(fluid)?;
+    let mut gas = Run::new(fluid, fluid.equilibrium::<3>(20)?);
+    let mut overlaps = Overlaps::new(fluid.grains);
     let progress = Progress::new("soak", collisions);
     let mut shown = 0;
-    let ran = soak.run(collisions, |state| {
-        progress.add(state.collisions - shown);
+    let ran = gas.run(collisions, &mut overlaps, |pace| {
+        progress.add(pace.collisions - shown);
         let tenth = |count: u64| count * LINES / collisions;
-        if tenth(state.collisions) > tenth(shown) {
-            line(&mut out, state, begin.elapsed().as_secs_f64())?;
+        if tenth(pace.collisions) > tenth(shown) {
+            line(&mut out, pace, begin.elapsed().as_secs_f64())?;
         }
-        shown = state.collisions;
+        shown = pace.collisions;
         Ok(())
     });
     drop(progress);
-    report(&mut out, &soak.state)?;
+    report(&mut out, &gas.pace, &overlaps)?;
     ran?;
-    judge(&soak.state)
+    judge(&gas.pace, &overlaps)
 }
 
-fn line(out: &mut impl Write, state: &State, wall: f64) -> Result<()> {
-    let State { collisions, energy, units, time, .. } = state;
-    let unit = |power: u32| if power == 0 { String::new() } else { format!(" × 2^{power}") };
-    let (slower, longer) = (format!(" × 2^-{}", 40 * units), unit(20 * units));
-    let slower = if *units == 0 { "" } else { &slower };
+fn line(out: &mut impl Write, pace: &Pace, wall: f64) -> Result<()> {
+    let Pace { collisions, energy, units, time, .. } = pace;
+    let power = |power: u32, sign: &str| match power {
+        0 => String::new(),
+        _ => format!(" × 2^{sign}{power}"),
+    };
+    let (slower, longer) = (power(40 * units, "-"), power(20 * units, ""));
     writeln!(out, "  {collisions:>12}  {wall:>11.1}  {energy:>13.4e}{slower}  {time:.6e}{longer}")?;
     Ok(out.flush()?)
 }
 
-fn report(out: &mut impl Write, state: &State) -> Result<()> {
-    let State { overlaps, counters, units, at_once, backward, .. } = state;
+fn report(out: &mut impl Write, pace: &Pace, overlaps: &Overlaps) -> Result<()> {
     let share = overlaps.overlapping as f64 / overlaps.impacts.max(1) as f64;
-    writeln!(out, "  unit of time made 2^20 times longer: {units} times")?;
-    writeln!(out, "  impacts {}, overlapping {:.4}", overlaps.impacts, share)?;
+    writeln!(out, "  the unit of time was made 2^20 times longer: {} times", pace.units)?;
+    writeln!(out, "  impacts {}, overlapping {share:.4}", overlaps.impacts)?;
     writeln!(out, "  impacts with a third grain overlapped: {}", overlaps.three_body)?;
     writeln!(out, "  deepest overlap: {:.3e}", -overlaps.deepest)?;
     writeln!(out, "  largest deepening of an overlap: {:.3e}", overlaps.decrease)?;
@@ -86,14 +91,20 @@ fn report(out: &mut impl Write, state: &State) -> Result<()> {
         "  overlapping pairs that approach after an event: {}, at most at {:.1e} of their speed",
         overlaps.approaching, overlaps.fastest
     )?;
-    writeln!(out, "  events before their predecessor: {backward}")?;
-    writeln!(out, "  most collisions at one instant: {at_once}")?;
-    writeln!(out, "  counters: {counters:?}")?;
+    writeln!(out, "  events before their predecessor: {}", pace.backward)?;
+    writeln!(out, "  most collisions at one instant: {}", pace.at_once)?;
+    let counters = pace.counters.iter().map(|(name, count)| format!("{name} {count}"));
+    writeln!(out, "  counters: {}", counters.collect::<Vec<_>>().join(", "))?;
     Ok(())
 }
 
 /// What must not have happened.
-fn judge(state: &State) -> Result<()> {
-    ensure!(state.backward == 0, "{} events had a negative time step", state.backward);
+fn judge(pace: &Pace, overlaps: &Overlaps) -> Result<()> {
+    ensure!(pace.backward == 0, "{} events had a negative time step", pace.backward);
+    ensure!(
+        overlaps.decrease < DEEPER,
+        "an overlap became deeper by {:.1e}, more than {DEEPER:.1e}",
+        overlaps.decrease
+    );
     Ok(())
 }

@@ -4,6 +4,9 @@ use super::{Figure, Made, Note, Series, Value};
 use anyhow::Result;
 use std::io::Write;
 
+/// Points of a curve that are printed.
+const MOST: usize = 40;
+
 /// Prints the data, then the comparison with the paper.
 ///
 /// # Errors
@@ -24,7 +27,12 @@ pub fn print(out: &mut impl Write, what: &str, made: &Made) -> Result<()> {
 fn curve(out: &mut impl Write, series: &Series) -> Result<()> {
     let params: Vec<_> = series.params.iter().map(|(k, v)| format!("{k} = {}", shown(v))).collect();
     writeln!(out, "\n  {} ({})", series.name, params.join(", "))?;
-    for (i, (x, y)) in series.x.iter().zip(&series.y).enumerate() {
+    let count = series.x.len();
+    let every = count.div_ceil(MOST).max(1);
+    if every > 1 {
+        writeln!(out, "    (one of {every} of {count} points; --json prints all)")?;
+    }
+    for (i, (x, y)) in series.x.iter().zip(&series.y).enumerate().step_by(every) {
         let error = series.yerr.get(i).map_or_else(String::new, |e| format!("  ± {}", number(*e)));
         writeln!(out, "    {:>14}  {:>14}{error}", number(*x), number(*y))?;
     }

@@ -2,6 +2,7 @@
 
 use super::draw::Draw;
 use super::play::Any;
+use carom::matter::{Plane, Surface};
 use carom::world::Happening;
 use carom::{Fault, Instant, Scalar};
 
@@ -11,7 +12,8 @@ pub struct Judge {
     pub steps: u32,
     now: Instant,
     gain: f64,
-    gravity: bool,
+    /// Gravity or a plate brings energy in.
+    driven: bool,
     energy: f64,
     collisions: u64,
 }
@@ -19,13 +21,16 @@ pub struct Judge {
 impl Judge {
     pub fn new<S: Scalar, const D: usize>(world: &Any<'_, '_, S, D>, gain: f64) -> Self {
         let energy = world.view().kinetic_energy().to_f64();
-        let gravity = world.view().gravity().iter().any(|&g| g != S::zero());
-        Self { steps: 0, now: world.now(), gain, gravity, energy, collisions: 0 }
+        let view = world.view();
+        let gravity = view.gravity().iter().any(|&g| g != S::zero());
+        let shaken = view.boundary().planes().iter().any(|plane| plane.vibration.is_some());
+        let driven = gravity || shaken;
+        Self { steps: 0, now: world.now(), gain, driven, energy, collisions: 0 }
     }
 
     /// From now on energy is not kept.
     pub const fn saw_gravity(&mut self) {
-        self.gravity = true;
+        self.driven = true;
     }
 
     /// Time never goes back.
@@ -78,9 +83,10 @@ impl Judge {
         for (i, grain) in (0..view.len()).filter_map(|i| Some((i, view.grain(i)?))) {
             let size = grain.position.iter().fold(S::one(), |far, x| far.larger(x.magnitude()));
             let rounding = size.to_f64() * S::RESOLUTION.to_f64() * 1e3;
-            for plane in view.boundary().planes() {
-                let height = (plane.normal.dot(&grain.position) - plane.offset).to_f64();
-                let margin = 1e-3 * grain.radius.to_f64() + rounding;
+            for plane in view.boundary().planes().iter().filter(|plane| judged(plane)) {
+                let (place, blur) = place(plane, view.now());
+                let height = (plane.normal.dot(&grain.position) - plane.offset).to_f64() - place;
+                let margin = 1e-3 * grain.radius.to_f64() + rounding + blur;
                 assert!(height > -margin, "grain {i} is {height} behind a plane: {grain:?}");
             }
         }
@@ -92,10 +98,24 @@ impl Judge {
         let energy = world.view().kinetic_energy().to_f64();
         let collisions = counters.collisions + counters.plane_collisions;
         let more = (collisions - self.collisions) as f64;
-        if !self.gravity && counters.clamped == 0 {
+        if !self.driven && counters.clamped == 0 {
             let allowed = self.energy * (1.0 + self.gain).powf(more) + f64::from(f32::MIN_POSITIVE);
             assert!(energy <= allowed, "{more} collisions brought {} to {energy}", self.energy);
         }
         (self.energy, self.collisions) = (energy, collisions);
     }
+}
+
+/// Soft contacts with a moving plate take no account of how far it moves meanwhile.
+fn judged<S: Scalar, const D: usize>(plane: &Plane<S, D>) -> bool {
+    plane.vibration.is_none() || plane.surface != Surface::Rule
+}
+
+/// Where a plate is, and how well a world of this number type can know it.
+fn place<S: Scalar, const D: usize>(plane: &Plane<S, D>, now: Instant) -> (f64, f64) {
+    let Some(v) = plane.vibration else { return (0.0, 0.0) };
+    let [amplitude, frequency, phase] = [v.amplitude, v.frequency, v.phase].map(Scalar::to_f64);
+    let turns = frequency * now.as_f64() + phase;
+    let blur = amplitude.abs() * S::RESOLUTION.to_f64() * 1e2 * (1.0 + turns);
+    (amplitude * (std::f64::consts::TAU * turns).sin(), blur)
 }

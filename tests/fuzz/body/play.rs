@@ -107,8 +107,12 @@ where
     S: Scalar + Serialize + DeserializeOwned,
 {
     let mut memory = Box::new(Store::<S, D>::new());
-    let mut copy = World::restore(&mut *memory, rule, &world.save())
-        .unwrap_or_else(|fault| panic!("a world's own snapshot is refused: {fault}"));
+    let mut copy = match World::restore(&mut *memory, rule, &world.save()) {
+        Ok(copy) => copy,
+        // Speeds that cross the box in no time at all leave a grain outside its cell.
+        Err(fault) if !draw.tame => return Err(fault),
+        Err(fault) => panic!("a world's own snapshot is refused: {fault}"),
+    };
     assert_eq!(world.digest(), copy.digest(), "restored");
     for step in 0..12 {
         judge.steps += 1;

@@ -5,7 +5,7 @@ use super::judge::Judge;
 use super::play::play;
 use super::rule::{self, Drawn};
 use carom::law::Rule;
-use carom::matter::{Plane, Surface};
+use carom::matter::{Plane, Surface, Vibration};
 use carom::world::{NoRule, Setup};
 use carom::{Fault, Grain, Memory, Release, Scalar, World};
 use serde::Serialize;
@@ -47,6 +47,7 @@ where
     let gravity =
         std::array::from_fn(|_| if draw.below(2) == 0 { S::zero() } else { draw.number() });
     let setup = tilted(setup, draw).gravity(gravity).release(release(draw));
+    let setup = if draw.below(8) == 7 { setup.tc(draw.number()) } else { setup };
     let grains: Vec<Grain<S, D>> =
         (0..draw.below(MOST as u8 + 1)).map(|i| grain(draw, i.into(), &sites)).collect();
     let setup = setup.rule(&*rule as &dyn Rule<S>).grains(grains)?;
@@ -71,7 +72,7 @@ impl Sites {
     }
 }
 
-/// One axis: open, periodic, soft walls or hard ones, tight or with some room.
+/// One axis: open, periodic, soft walls or hard ones, tight or with some room, at rest or shaken.
 fn side<'m, S: Scalar, const D: usize>(
     setup: Setup<'m, S, D, NoRule>,
     draw: &mut Draw<'_>,
@@ -88,12 +89,24 @@ fn side<'m, S: Scalar, const D: usize>(
         5 => Surface::Rule,
         _ => Surface::Hard(draw.fraction()),
     };
+    let shaken = vibration(draw);
     let plane = |at: S, facing: f64| {
         let mut normal = [S::zero(); D];
         normal[axis] = S::from_f64(facing);
-        Plane { normal: normal.into(), offset: at * S::from_f64(facing), surface, vibration: None }
+        let plane = Plane::new(normal, at * S::from_f64(facing), surface);
+        Plane { vibration: shaken, ..plane }
     };
     setup.plane(plane(low, 1.0)).plane(plane(high, -1.0))
+}
+
+/// How a plate moves: not at all, tamely, or by numbers that may be anything.
+fn vibration<S: Scalar>(draw: &mut Draw<'_>) -> Option<Vibration<S>> {
+    let (amplitude, frequency) = match draw.below(8) {
+        0..=3 => return None,
+        4..=6 => (draw.fraction(), S::from_f64(draw.size())),
+        _ => (draw.number(), draw.number()),
+    };
+    Some(Vibration::new(amplitude, frequency).starting_at(draw.fraction()))
 }
 
 /// Sometimes a plane that stands across no axis, or is not one.
@@ -111,7 +124,7 @@ fn tilted<'m, S: Scalar, const D: usize>(
     }
     let offset = draw.number();
     let surface = if draw.below(2) == 0 { Surface::Rule } else { Surface::Hard(draw.fraction()) };
-    setup.plane(Plane { normal: normal.into(), offset, surface, vibration: None })
+    setup.plane(Plane { vibration: vibration(draw), ..Plane::new(normal, offset, surface) })
 }
 
 fn release(draw: &mut Draw<'_>) -> Release {

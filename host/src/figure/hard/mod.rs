@@ -3,12 +3,15 @@
 //! Units: diameter σ, mass and kT at the start are 1. The box is periodic and centred on the origin.
 
 mod gauge;
+mod measure;
 mod overlaps;
-mod soak;
+mod run;
+pub mod theory;
 
 pub use gauge::Gauge;
+pub use measure::{Mean, Measured, Plan, measure};
 pub use overlaps::{Impact, Overlaps};
-pub use soak::{Soak, State};
+pub use run::{Pace, Run};
 
 use crate::storage::Storage;
 use anyhow::{Result, ensure};

@@ -1,0 +1,69 @@
+//! `carom bench`: how many collisions a second? Runs the cases one after the other; writes a table or JSON.
+
+use crate::bench::{self, Case, Contact, Row};
+use anyhow::{Result, bail};
+use clap::Args;
+use std::io::Write;
+
+/// The options of `carom bench`.
+#[derive(Args, Debug)]
+pub struct Options {
+    /// Only this case, or those whose names begin so (hs3d, emdstar-10000); all if left out.
+    case: Option<String>,
+    /// Print `[{"case", "n", "collisions_per_s", "bytes_per_grain", "events", "seconds"}]`.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the cases on one core.
+///
+/// # Errors
+/// A case that does not exist.
+pub fn run(options: &Options) -> Result<()> {
+    let cases = chosen(options.case.as_deref())?;
+    let mut out = std::io::stdout().lock();
+    if options.json {
+        let rows = cases.iter().map(bench::measure).collect::<Result<Vec<Row>>>()?;
+        return Ok(writeln!(out, "{}", serde_json::to_string_pretty(&rows)?)?);
+    }
+    writeln!(
+        out,
+        "{:<20}{:>9}{:>14}{:>12}{:>16}  others (collisions/s)",
+        "case", "N", "collisions/s", "bytes/grain", "CPU s/sim. time"
+    )?;
+    for case in &cases {
+        line(&mut out, case, &bench::measure(case)?)?;
+        out.flush()?;
+    }
+    Ok(())
+}
+
+fn chosen(name: Option<&str>) -> Result<Vec<Case>> {
+    let Some(name) = name else { return Ok(bench::ALL.to_vec()) };
+    let cases = bench::named(name);
+    if cases.is_empty() {
+        let names: Vec<&str> = bench::ALL.iter().map(|case| case.name).collect();
+        bail!("there is no case {name}; there are {}", names.join(", "));
+    }
+    Ok(cases)
+}
+
+fn line(out: &mut impl Write, case: &Case, row: &Row) -> Result<()> {
+    let Row { n, collisions_per_s, bytes_per_grain, seconds, simulated, .. } = *row;
+    let cost = seconds / simulated;
+    // In the hard-sphere cases the unit of time is arbitrary.
+    let cost = match case.contact {
+        Contact::Viscoelastic { .. } => format!("{cost:.2e}"),
+        Contact::Hard { .. } => "-".to_owned(),
+    };
+    let others: Vec<String> = case
+        .others
+        .iter()
+        .map(|(who, rate)| format!("{who} {rate:.0}: x {:.2}", collisions_per_s / rate))
+        .collect();
+    let (name, others) = (case.name, others.join(", "));
+    Ok(writeln!(
+        out,
+        "{name:<20}{n:>9}{collisions_per_s:>14.0}{bytes_per_grain:>12.0}{cost:>16}  {others}"
+    )?)
+}

@@ -1,0 +1,99 @@
+//! Which runs are done already? Reads a journal that a kill may have cut short; writes one line for each run that ends.
+
+use super::plan::Source;
+use super::result::Done;
+use anyhow::{Context, Result, anyhow, bail};
+use serde::{Deserialize, Serialize};
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// The first line.
+#[derive(PartialEq, Eq, Serialize, Deserialize)]
+struct Head {
+    source: Source,
+    shard: [usize; 2],
+}
+
+/// A file that grows by one line with each run; the line is written in one piece.
+#[derive(Debug)]
+pub struct Journal {
+    file: File,
+    path: PathBuf,
+}
+
+impl Journal {
+    /// Opens the journal of a sweep, or begins it; returns what is done. A last line that was cut
+    /// short is cut off: its run will be done again.
+    ///
+    /// # Errors
+    /// When it belongs to another sweep, or another process is at it.
+    pub fn open(path: &Path, source: &Source, shard: [usize; 2]) -> Result<(Self, Vec<Done>)> {
+        let name = path.display();
+        let cannot = || format!("cannot write {name}");
+        let mut options = OpenOptions::new();
+        let options = options.read(true).write(true).create(true).truncate(false);
+        let mut file = options.open(path).with_context(cannot)?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => bail!("{name}: another process is at this sweep"),
+            Err(TryLockError::Error(why)) => return Err(why).with_context(cannot),
+        }
+        let mut text = Vec::new();
+        file.read_to_end(&mut text).with_context(|| format!("cannot read {name}"))?;
+        let head = Head { source: source.clone(), shard };
+        let (done, length) = read(&text, &head).ok_or_else(|| {
+            anyhow!("{name} is of another sweep; remove it or choose another --out")
+        })?;
+        file.set_len(length as u64).with_context(cannot)?;
+        file.seek(SeekFrom::End(0)).with_context(cannot)?;
+        let mut journal = Self { file, path: path.to_owned() };
+        if length == 0 {
+            journal.line(&head)?;
+        }
+        Ok((journal, done))
+    }
+
+    /// One more run is done.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn add(&mut self, done: &Done) -> Result<()> {
+        self.line(done)
+    }
+
+    fn line(&mut self, line: &impl Serialize) -> Result<()> {
+        let mut text = serde_json::to_vec(line)?;
+        text.push(b'\n');
+        let written = self.file.write_all(&text).and_then(|()| self.file.sync_data());
+        written.with_context(|| format!("cannot write {}", self.path.display()))
+    }
+
+    /// The sweep is done and its result written: the journal goes.
+    ///
+    /// # Errors
+    /// When it cannot be removed.
+    pub fn remove(self) -> Result<()> {
+        std::fs::remove_file(&self.path)
+            .with_context(|| format!("cannot remove {}", self.path.display()))
+    }
+}
+
+/// The runs, and up to where the text is whole; none if it is of another sweep.
+fn read(text: &[u8], head: &Head) -> Option<(Vec<Done>, usize)> {
+    let mut done = Vec::new();
+    let mut length = 0;
+    for line in text.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n")) {
+        if length == 0 {
+            let first: Head = serde_json::from_slice(line).ok()?;
+            if first != *head {
+                return None;
+            }
+        } else {
+            let Ok(run) = serde_json::from_slice(line) else { break };
+            done.push(run);
+        }
+        length += line.len();
+    }
+    Some((done, length))
+}
