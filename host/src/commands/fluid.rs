@@ -42,12 +42,12 @@ const LUE: &str = "Lue 2005, doi:10.1063/1.1834498";
 /// # Errors
 /// What the engine says.
 pub fn run(options: &Options) -> Result<()> {
-    let blocks = if options.full { 100 } else { 20 };
+    let blocks = if options.full { 200 } else { 20 };
     let progress = Progress::new("fluid", 3 * blocks);
-    let mut rows = spheres(options, 1_372, "3D, N = 1,372, density 0.5", (500, blocks), &progress)?;
-    let large = spheres(options, 13_500, "3D, N = 13,500, density 0.5", (50, blocks), &progress)?;
+    let mut rows = spheres(options, 1_372, "3D, N = 1,372, density 0.5", (100, blocks), &progress)?;
+    let large = spheres(options, 13_500, "3D, N = 13,500, density 0.5", (12, blocks), &progress)?;
     rows.extend(large);
-    rows.extend(disks(options, (500, blocks), &progress)?);
+    rows.extend(disks(options, (150, blocks), &progress)?);
     drop(progress);
     let mut out = std::io::stdout().lock();
     if options.json {

@@ -82,6 +82,7 @@ fn line(out: &mut impl Write, pace: &Pace, wall: f64) -> Result<()> {
 fn report(out: &mut impl Write, pace: &Pace, overlaps: &Overlaps) -> Result<()> {
     let share = overlaps.overlapping as f64 / overlaps.impacts.max(1) as f64;
     writeln!(out, "  the unit of time was made 2^20 times longer: {} times", pace.units)?;
+    writeln!(out, "  the gas streamed without colliding and was stirred: {} times", pace.stirred)?;
     writeln!(out, "  impacts {}, overlapping {share:.4}", overlaps.impacts)?;
     writeln!(out, "  impacts with a third grain overlapped: {}", overlaps.three_body)?;
     writeln!(out, "  deepest overlap: {:.3e}", -overlaps.deepest)?;

@@ -3,6 +3,9 @@
 use super::{Gas, GrainSpec, LawSpec, MethodName, Scenario, SideSpec, Sides, SurfaceSpec};
 use anyhow::{Result, bail};
 
+/// More grains than this are a slip of the pen: 20 GB.
+const MOST_GRAINS: usize = 100_000_000;
+
 pub(super) fn check(scenario: &Scenario) -> Result<()> {
     let d = scenario.dimension;
     if !(1..=3).contains(&d) {
@@ -105,8 +108,8 @@ fn check_grain(number: usize, grain: &GrainSpec, dimension: usize) -> Result<()>
 }
 
 fn gas(gas: &Gas) -> Result<()> {
-    if gas.count == 0 {
-        bail!("gas.count is 0, must be at least 1");
+    if !(1..=MOST_GRAINS).contains(&gas.count) {
+        bail!("gas.count is {}, must be from 1 to {MOST_GRAINS}", gas.count);
     }
     let [small, large] = gas.radius.range();
     positive("gas.radius", small)?;

@@ -65,8 +65,7 @@ impl Journal {
     fn line(&mut self, line: &impl Serialize) -> Result<()> {
         let mut text = serde_json::to_vec(line)?;
         text.push(b'\n');
-        let written = self.file.write_all(&text).and_then(|()| self.file.sync_data());
-        written.with_context(|| format!("cannot write {}", self.path.display()))
+        self.file.write_all(&text).with_context(|| format!("cannot write {}", self.path.display()))
     }
 
     /// The sweep is done and its result written: the journal goes.

@@ -3,6 +3,9 @@
 //! A cooling gas slows down without end, and after some hundred collisions a grain its unit of time is
 //! too short for it. Then all velocities are multiplied by a power of two, which is exact, and the unit of time
 //! is so much longer from there on; hard spheres have no time of their own, so nothing else changes.
+//!
+//! A strongly dissipative one ends in bands that stream past each other and hardly collide. Then
+//! velocities are drawn anew, of grains where they are: a dense cluster is heated, and cools again.
 
 use super::{Fluid, Spheres, grains};
 use crate::storage::Storage;
@@ -15,6 +18,9 @@ use carom::{Counters, Grain, Instant, Watch};
 const SLOW: f64 = 9.094_947_017_729_282e-13;
 /// What velocities are multiplied by: 2^20.
 const FASTER: f64 = 1_048_576.0;
+
+/// A gas streams if it has more other events than that a collision.
+const STREAMING: u64 = 20;
 
 /// A gas that runs.
 pub struct Run {
@@ -34,6 +40,8 @@ pub struct Pace {
     pub time: f64,
     /// How often the unit of time was made 2^20 times longer.
     pub units: u32,
+    /// How often velocities were drawn anew.
+    pub stirred: u64,
     /// Kinetic energy a grain, in the present unit.
     pub energy: f64,
     /// The engine's counters, summed over all units of time.
@@ -73,14 +81,27 @@ impl Run {
             if count >= collisions {
                 return Ok(());
             }
-            self.grains.iter_mut().for_each(|grain| grain.velocity *= FASTER);
-            self.pace.units += 1;
-            self.pace.time /= FASTER;
+            if self.pace.energy < SLOW {
+                self.grains.iter_mut().for_each(|grain| grain.velocity *= FASTER);
+                self.pace.units += 1;
+                self.pace.time /= FASTER;
+            } else {
+                self.stir();
+            }
+        }
+    }
+
+    /// Gives the grains the velocities of a gas in equilibrium.
+    fn stir(&mut self) {
+        self.pace.stirred += 1;
+        let fluid = Fluid { seed: self.fluid.seed + self.pace.stirred, ..self.fluid };
+        for (grain, velocity) in self.grains.iter_mut().zip(fluid.velocities::<3>()) {
+            *grain = grain.moving(velocity);
         }
     }
 }
 
-/// Runs until the gas is too slow for its unit of time, or the collisions have happened.
+/// Runs until the gas is too slow for its unit of time, or streams, or the collisions have happened.
 fn one_unit<W: Watch<f64, 3>>(
     world: &mut Spheres<'_, 3>,
     pace: &mut Pace,
@@ -93,14 +114,17 @@ fn one_unit<W: Watch<f64, 3>>(
     loop {
         let until = (pace.collisions + look).min(collisions);
         let mut ended = Ok(());
-        while pace.collisions < until && ended.is_ok() {
+        let mut events = 0;
+        while pace.collisions < until && ended.is_ok() && events < STREAMING * look {
             ended = step(world, pace, watch);
+            events += 1;
         }
         pace.time = before.time + world.now().as_f64();
         pace.energy = world.view().kinetic_energy() / world.view().len() as f64;
         pace.counters = sum(&before.counters, world.counters());
         each(pace)?;
-        if ended.is_err() || pace.energy < SLOW || pace.collisions >= collisions {
+        let enough = pace.energy < SLOW || pace.collisions >= collisions;
+        if ended.is_err() || enough || events >= STREAMING * look {
             return ended;
         }
     }
@@ -137,6 +161,8 @@ impl Pace {
 fn sum(total: &[(&'static str, u64)], more: &Counters) -> Vec<(&'static str, u64)> {
     let more = [
         ("collisions", more.collisions),
+        ("collapses", more.collapses),
+        ("reordered", more.reordered),
         ("stale", more.stale),
         ("wanderings", more.wanderings),
         ("epochs", more.epochs),
