@@ -7,7 +7,7 @@ use super::scene::Scene;
 use super::touch;
 use crate::matter::grid::{Grid, Stride};
 use crate::matter::{Body, Boundary, Partner, flight};
-use crate::number::Scalar;
+use crate::number::{Instant, Scalar};
 
 /// The earliest event of this grain.
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
@@ -151,8 +151,12 @@ fn meeting<S: Scalar, const D: usize>(
 }
 
 /// Keeps the earlier of two; at equal times a contact's end, then the lower partner, so that the order
-/// in which neighbours are visited does not matter. NaN and infinity never win.
+/// in which neighbours are visited does not matter. NaN and infinity never win, nor what lies beyond
+/// the instants that there are.
 fn earlier<S: Scalar>(slot: &mut Slot<S>, candidate: Slot<S>) {
+    if candidate.time.to_f64() > Instant::LAST {
+        return;
+    }
     let tie = candidate.time == slot.time
         && slot.kind == Kind::Meet
         && candidate.kind == Kind::Meet

@@ -18,6 +18,9 @@ pub(super) fn pair<S: Scalar, const D: usize>(
     limit: S,
 ) -> Found<S> {
     let reach = me.radius + other.radius;
+    if me.is_frozen() && other.is_frozen() && me.planes == other.planes {
+        return Found::Nothing;
+    }
     if me.planes == other.planes && me.is_frozen() == other.is_frozen() {
         let other = flight::at(other, scene.field(), scene.now);
         let separation = scene.separation(me, &other);

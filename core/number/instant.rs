@@ -28,6 +28,9 @@ impl Instant {
     /// The start.
     pub const START: Self = Self { whole: 0, part: 0 };
 
+    /// The latest time at which an event can be: 2⁶² units, well before the last instant.
+    pub(crate) const LAST: f64 = 4_611_686_018_427_387_904.0;
+
     /// How long after `earlier` this is, rounded to the nearest `S`; negative if it is before.
     #[must_use]
     pub fn since<S: Scalar>(self, earlier: Self) -> S {

@@ -4,6 +4,7 @@ mod conservation;
 mod contact;
 mod faults;
 mod gas;
+mod plates;
 mod rest;
 mod rooms;
 mod saved;
