@@ -114,7 +114,7 @@ fn judged<S: Scalar, const D: usize>(plane: &Plane<S, D>) -> bool {
 /// Where a plate is, and how well a world of this number type can know it.
 fn place<S: Scalar, const D: usize>(plane: &Plane<S, D>, now: Instant) -> (f64, f64) {
     let Some(v) = plane.vibration else { return (0.0, 0.0) };
-    let [amplitude, frequency, phase] = [v.amplitude, v.frequency, v.phase].map(Scalar::to_f64);
+    let [amplitude, frequency, phase] = [v.amplitude, v.frequency, v.phase].map(|x: S| x.to_f64());
     let turns = frequency * now.as_f64() + phase;
     let blur = amplitude.abs() * S::RESOLUTION.to_f64() * 1e2 * (1.0 + turns);
     (amplitude * (std::f64::consts::TAU * turns).sin(), blur)
