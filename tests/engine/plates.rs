@@ -190,3 +190,27 @@ proptest! {
         prop_assert!((world.grain(0).unwrap().velocity[0] - speed).abs() < 1e-5 * a0 * omega);
     }
 }
+
+/// A grain between two plates that close in on it has nowhere to go: the loop must say so, and whom
+/// and when, in a bounded number of events. (Without any loss it takes 1/gap events to get so far.)
+#[test]
+fn a_grain_that_is_crushed_is_a_fault_that_names_it() {
+    for restitution in [0.0, 0.5, 0.99] {
+        let mut memory = Memory::<f64, 1, 1>::new();
+        let hard = Surface::Hard(restitution);
+        let mut world = World::setup(&mut memory)
+            .plane(Plane::new([1.0], 0.0, hard).vibrating(Vibration::new(0.5, 1.0)))
+            .plane(Plane::new([-1.0], -1.25, hard))
+            .rule(HardSphere { restitution })
+            .grain(Grain::with_mass(0.5, 1.0).at([0.6]).moving([0.1]))
+            .unwrap()
+            .start()
+            .unwrap();
+        let fault = (0..1_000_000).find_map(|_| world.step().err());
+        let Some(Fault::Stuck { grain: 0, at, .. }) = fault else {
+            panic!("{restitution}: {fault:?} {:?}", world.counters())
+        };
+        // The gap is the grain's diameter when sin(2πt) = 1/2.
+        assert!((at.as_f64() - 1.0 / 12.0).abs() < 1e-3, "{restitution}: {at}");
+    }
+}
