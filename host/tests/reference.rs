@@ -14,6 +14,8 @@ mod input;
 mod invariance;
 #[path = "reference/nothing_missed.rs"]
 mod nothing_missed;
+#[path = "reference/plate.rs"]
+mod plate;
 #[path = "reference/verlet.rs"]
 mod verlet;
 

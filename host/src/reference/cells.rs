@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::plate::Plate;
 use super::system::Boundary;
 use super::vector::{Vector, dot, minus};
 
@@ -22,7 +23,7 @@ pub(super) struct NearWall {
     pub grain: u32,
     pub axis: usize,
     pub facing: f64,
-    pub at: f64,
+    pub plate: Plate,
 }
 
 /// Everything within reach plus skin, in the order of the grains.
@@ -111,19 +112,32 @@ impl<const D: usize> Neighbours<D> {
         });
     }
 
+    /// A moving plate counts as if it were at its highest.
     fn near_walls(&mut self, r: &[Vector<D>], radii: &[f64], boundary: &[Boundary; D], skin: f64) {
         self.walls.clear();
         for (i, position) in r.iter().enumerate() {
-            for axis in 0..D {
-                let Boundary::Walls { lo, hi } = boundary[axis] else { continue };
-                for (facing, at) in [(1.0, lo), (-1.0, hi)] {
-                    if facing * (position[axis] - at) < radii[i] + skin {
-                        self.walls.push(NearWall { grain: i as u32, axis, facing, at });
+            for (axis, bound) in boundary.iter().enumerate() {
+                for (facing, plate) in planes(bound) {
+                    let gap = facing * (position[axis] - plate.at) - plate.amplitude;
+                    if gap < radii[i] + skin {
+                        self.walls.push(NearWall { grain: i as u32, axis, facing, plate });
                     }
                 }
             }
         }
     }
+}
+
+/// The planes of an axis, facing up (+1) or down (−1).
+fn planes(bound: &Boundary) -> impl Iterator<Item = (f64, Plate)> {
+    let planes = match *bound {
+        Boundary::Walls { lo, hi } => {
+            [Some((1.0, Plate::fixed(lo))), Some((-1.0, Plate::fixed(hi)))]
+        }
+        Boundary::Plate(plate) => [Some((1.0, plate)), None],
+        _ => [None, None],
+    };
+    planes.into_iter().flatten()
 }
 
 impl<const D: usize> Grid<D> {

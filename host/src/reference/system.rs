@@ -2,6 +2,7 @@
 
 use super::error::ReferenceError;
 use super::law::ForceLaw;
+use super::plate::Plate;
 use super::vector::{Vector, dot, length, minus};
 
 /// One smooth grain.
@@ -40,6 +41,8 @@ pub enum Boundary {
         /// Upper wall.
         hi: f64,
     },
+    /// One plane below, soft by the same force law, which may vibrate; nothing above.
+    Plate(Plate),
 }
 
 impl Boundary {
@@ -109,11 +112,14 @@ impl<const D: usize> System<D> {
     fn check_inside(&self) -> Result<(), ReferenceError> {
         for (i, grain) in self.grains.iter().enumerate() {
             for (axis, bound) in self.boundary.iter().enumerate() {
-                let Boundary::Walls { lo, hi } = *bound else { continue };
+                let (lo, hi, wanted) = match *bound {
+                    Boundary::Walls { lo, hi } => (lo, hi, "between the walls"),
+                    Boundary::Plate(plate) => (plate.height(0.0), f64::INFINITY, "above the plate"),
+                    _ => continue,
+                };
                 let value = grain.position[axis];
                 if !(lo < value && value < hi) {
                     let field = format!("position[{axis}]");
-                    let wanted = "between the walls";
                     return Err(ReferenceError::Grain { grain: i, field, value, wanted });
                 }
             }
@@ -168,7 +174,7 @@ impl<const D: usize> System<D> {
         -self.grains.iter().map(|g| g.mass * dot(&self.gravity, &g.position)).sum::<f64>()
     }
 
-    /// The energy stored in all overlaps, by geometry alone, O(N²).
+    /// The energy stored in all overlaps, by geometry alone, O(N²); a plate as it is at time 0.
     ///
     /// After [`End::Force`](super::End::Force) has ended a damped contact the grains still overlap
     /// a little; what is counted for them then is not given back.
@@ -197,6 +203,10 @@ impl<const D: usize> System<D> {
                 let p = grain.position[axis];
                 sum += contact.elastic_energy(grain.radius - (p - lo));
                 sum += contact.elastic_energy(grain.radius - (hi - p));
+            }
+            if let Boundary::Plate(plate) = *bound {
+                let gap = grain.position[axis] - plate.height(0.0);
+                sum += contact.elastic_energy(grain.radius - gap);
             }
         }
         sum
@@ -253,6 +263,9 @@ fn check_grain<const D: usize>(i: usize, grain: &Grain<D>) -> Result<(), Referen
 }
 
 fn check_boundary(axis: usize, bound: &Boundary, widest: f64) -> Result<(), ReferenceError> {
+    if let Boundary::Plate(plate) = bound {
+        return plate.check();
+    }
     let (Boundary::Periodic { lo, hi } | Boundary::Walls { lo, hi }) = *bound else {
         return Ok(());
     };

@@ -7,6 +7,7 @@ use super::collocation::{Guess, NODES, Segment, node};
 use super::contact_law::ContactLaw;
 use super::error::ReferenceError;
 use super::law::End;
+use super::plate::Plate;
 use super::roots::bracketed;
 use super::vector::{Vector, length};
 use motion::Motion;
@@ -19,8 +20,8 @@ const TOLERANCE: f64 = 2e-14;
 pub(super) enum Side<const D: usize> {
     /// Member `local` of the cluster, seen at its position plus `shift` (a periodic image).
     Member { local: usize, shift: Vector<D> },
-    /// A wall across `axis`, `at`; `facing` +1 for the lower wall, −1 for the upper one.
-    Wall { axis: usize, facing: f64, at: f64 },
+    /// A wall across `axis`; `facing` +1 for the lower wall, −1 for the upper one.
+    Wall { axis: usize, facing: f64, plate: Plate },
 }
 
 /// One contact under way.
@@ -193,8 +194,8 @@ impl<const D: usize> Cluster<D> {
     }
 
     fn motion(&self, regular: Option<usize>) -> Motion<'_, D> {
-        let Self { masses, links, gravity, .. } = self;
-        Motion { masses, links, gravity, regular }
+        let Self { masses, links, gravity, origin, .. } = self;
+        Motion { masses, links, gravity, origin: *origin, regular }
     }
 
     /// Absolute time up to which the motion is known.

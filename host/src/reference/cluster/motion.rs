@@ -15,6 +15,8 @@ pub(super) struct Motion<'a, const D: usize> {
     pub masses: &'a [f64],
     pub links: &'a [Link<D>],
     pub gravity: &'a Vector<D>,
+    /// Absolute time of the first unknown's 0.
+    pub origin: f64,
     pub regular: Option<usize>,
 }
 
@@ -133,7 +135,11 @@ impl<const D: usize> Motion<'_, D> {
         let (link, view) = (&self.links[c], self.view(y, c));
         let toward = match link.side {
             Side::Member { local, .. } => minus(&velocity(f, link.first), &velocity(f, local)),
-            Side::Wall { .. } => plus(&velocity(f, link.first), 1.0, self.gravity),
+            Side::Wall { axis, plate, .. } => {
+                let mut toward = plus(&velocity(f, link.first), 1.0, self.gravity);
+                toward[axis] -= plate.acceleration(self.origin + y[0]);
+                toward
+            }
         };
         let growth = -dot(&view.normal, &toward) - view.bend;
         let at = self.base() + 2 * c;
@@ -167,7 +173,8 @@ impl<const D: usize> Motion<'_, D> {
             let link = &self.links[c];
             let at = position::<D>(y, link.first);
             let (reach, gap) = match link.side {
-                Side::Wall { axis, facing, at: wall } => {
+                Side::Wall { axis, facing, plate } => {
+                    let wall = plate.height(self.origin + y[0]);
                     (radii[link.first], facing * (at[axis] - wall))
                 }
                 Side::Member { local, shift } => {

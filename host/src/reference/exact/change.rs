@@ -3,6 +3,7 @@
 use super::super::cluster::{Cluster, Side};
 use super::super::contact_law::ContactLaw;
 use super::super::law::End;
+use super::super::plate::Plate;
 use super::super::system::Boundary;
 use super::super::vector::{dot, length, minus};
 use super::flight::Target;
@@ -37,9 +38,15 @@ impl<const D: usize> Exact<D> {
     }
 
     pub(super) fn walls(&self) -> Vec<Target<D>> {
-        let walled = |axis: &usize| matches!(self.boundary[*axis], Boundary::Walls { .. });
-        let both = |axis| [false, true].map(|upper| Target::Wall { axis, upper });
-        (0..D).filter(walled).flat_map(both).collect()
+        let sides = |axis: usize| {
+            let sides: &[bool] = match self.boundary[axis] {
+                Boundary::Walls { .. } => &[false, true],
+                Boundary::Plate(_) => &[false],
+                _ => &[],
+            };
+            sides.iter().map(move |&upper| Target::Wall { axis, upper })
+        };
+        (0..D).flat_map(sides).collect()
     }
 
     /// Overlap and its rate, now.
@@ -51,8 +58,9 @@ impl<const D: usize> Exact<D> {
         let (r, v) = self.state(i, time);
         match target {
             Target::Wall { axis, upper } => {
-                let (facing, at) = self.wall(axis, upper);
-                [self.grains[i].radius - facing * (r[axis] - at), -facing * v[axis]]
+                let (facing, plate) = self.wall(axis, upper);
+                let gap = facing * (r[axis] - plate.height(time));
+                [self.grains[i].radius - gap, -facing * (v[axis] - plate.velocity(time))]
             }
             Target::Grain { other, shift } => {
                 let (rj, vj) = self.state(other, time);
@@ -75,11 +83,13 @@ impl<const D: usize> Exact<D> {
         }
     }
 
-    fn wall(&self, axis: usize, upper: bool) -> (f64, f64) {
+    /// Which way it faces, and where it is.
+    pub(super) fn wall(&self, axis: usize, upper: bool) -> (f64, Plate) {
         match (self.boundary[axis], upper) {
-            (Boundary::Walls { lo, .. }, false) => (1.0, lo),
-            (Boundary::Walls { hi, .. }, true) => (-1.0, hi),
-            _ => (1.0, f64::NEG_INFINITY),
+            (Boundary::Walls { lo, .. }, false) => (1.0, Plate::fixed(lo)),
+            (Boundary::Walls { hi, .. }, true) => (-1.0, Plate::fixed(hi)),
+            (Boundary::Plate(plate), false) => (1.0, plate),
+            _ => (1.0, Plate::fixed(f64::NEG_INFINITY)),
         }
     }
 
@@ -116,8 +126,8 @@ impl<const D: usize> Exact<D> {
                 Side::Member { local: cluster.local(other).unwrap_or(0), shift }
             }
             Target::Wall { axis, upper } => {
-                let (facing, at) = self.wall(axis, upper);
-                Side::Wall { axis, facing, at }
+                let (facing, plate) = self.wall(axis, upper);
+                Side::Wall { axis, facing, plate }
             }
         };
         let at = [if overlapped { x } else { 0.0 }, u];

@@ -69,11 +69,20 @@ impl<const D: usize> Exact<D> {
     fn foresee_walls(&self, i: usize, next: &mut Forecast<D>) {
         let (r, v) = self.state(i, self.now);
         for axis in 0..D {
-            let Boundary::Walls { lo, hi } = self.boundary[axis] else { continue };
-            for (upper, facing, at) in [(false, 1.0, lo), (true, -1.0, hi)] {
-                let gap = facing * (r[axis] - at) - self.grains[i].radius;
-                let [b, a] = [facing * v[axis], 0.5 * facing * self.gravity[axis]];
-                if let Some(dt) = self.wall_meeting(i, [gap, b, a]) {
+            let sides: &[bool] = match self.boundary[axis] {
+                Boundary::Walls { .. } => &[false, true],
+                Boundary::Plate(_) => &[false],
+                _ => &[],
+            };
+            for &upper in sides {
+                let (facing, plate) = self.wall(axis, upper);
+                let gap = facing * (r[axis] - plate.at) - self.grains[i].radius;
+                let fall = [gap, facing * v[axis], 0.5 * facing * self.gravity[axis]];
+                let dt = match plate.moves() {
+                    true => self.plate_meeting(i, fall, &plate),
+                    false => self.wall_meeting(i, fall),
+                };
+                if let Some(dt) = dt {
                     next.sooner(self.now + dt, Some(Target::Wall { axis, upper }));
                 }
             }

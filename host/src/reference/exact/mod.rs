@@ -3,6 +3,8 @@
 mod change;
 mod flight;
 mod images;
+mod until;
+mod vibration;
 mod watch;
 
 use super::cluster::Cluster;

@@ -36,7 +36,7 @@ impl<const D: usize> Exact<D> {
         let mut first: Option<Hit<D>> = None;
         let seen: Vec<Seen<D>> = (0..self.grains.len()).map(|i| self.see(i, until)).collect();
         for &grain in self.clusters.iter().flat_map(|cluster| &cluster.grains) {
-            for target in self.reachable(grain, &seen) {
+            for target in self.reachable(grain, until, &seen) {
                 let hit = self.search(grain, target, until);
                 let sooner = |h: &Hit<D>| first.is_none_or(|f| h.time < f.time);
                 first = hit.filter(sooner).or(first);
@@ -53,10 +53,14 @@ impl<const D: usize> Exact<D> {
     }
 
     /// What a grain in contact may come to touch in the window, beyond what it touches.
-    fn reachable(&self, i: usize, seen: &[Seen<D>]) -> Vec<Target<D>> {
+    fn reachable(&self, i: usize, until: f64, seen: &[Seen<D>]) -> Vec<Target<D>> {
         let (me, period) = (&seen[i], self.periods());
         let mut found = self.walls();
-        found.retain(|target| self.approach(i, *target)[0] + me.range >= self.grains[i].radius);
+        found.retain(|target| {
+            let Target::Wall { axis, upper } = *target else { return true };
+            let risen = (until - self.now) * self.wall(axis, upper).1.fastest();
+            self.approach(i, *target)[0] + me.range + risen >= self.grains[i].radius
+        });
         for (j, other) in seen.iter().enumerate() {
             let d = minus(&me.position, &other.position);
             let reach = me.range + other.range;

@@ -10,11 +10,16 @@ impl<const D: usize> Verlet<D> {
         self.touching.swap(0, 1);
         self.touching[1].clear();
         self.pushes.clear();
+        self.pushed = false;
         self.push_pairs(h);
         self.push_walls(h);
         self.counters.distances += (self.near.pairs.len() + self.near.walls.len()) as u64;
         if self.loaded.is_empty() && self.pushes.is_empty() {
             return;
+        }
+        self.pushed = self.pushed_noticeably();
+        if self.pushed {
+            self.touched = self.clock;
         }
         self.count_contacts();
         self.accelerate();
@@ -39,8 +44,12 @@ impl<const D: usize> Verlet<D> {
         let v = minus(&self.predicted(i, h), &self.predicted(j, h));
         let normal = d.map(|d| d / distance);
         let law = self.law.pair([self.radii[i], self.radii[j]], [self.masses[i], self.masses[j]]);
-        let force = law.force_until(pair.reach - distance, -dot(&v, &normal), self.end);
-        let force = normal.map(|n| force * n);
+        let rate = -dot(&v, &normal);
+        let push = law.force_until(pair.reach - distance, rate, self.end);
+        let mut force = normal.map(|n| push * n);
+        if law.tangential > 0.0 && push != 0.0 {
+            force = plus(&force, -law.tangential, &plus(&v, rate, &normal));
+        }
         self.pushes.push(Push { grain: pair.grain, other: Some(pair.other), force });
         self.touching[1].push(u64::from(pair.grain) << 32 | u64::from(pair.other));
     }
@@ -49,7 +58,8 @@ impl<const D: usize> Verlet<D> {
         let walls = std::mem::take(&mut self.near.walls);
         for wall in &walls {
             let i = wall.grain as usize;
-            let overlap = self.radii[i] - wall.facing * (self.positions[i][wall.axis] - wall.at);
+            let at = wall.plate.height(self.clock);
+            let overlap = self.radii[i] - wall.facing * (self.positions[i][wall.axis] - at);
             if overlap > 0.0 {
                 self.push_wall(wall, overlap, h);
             }
@@ -60,9 +70,15 @@ impl<const D: usize> Verlet<D> {
     fn push_wall(&mut self, wall: &NearWall, overlap: f64, h: f64) {
         let i = wall.grain as usize;
         let law = self.law.wall(self.radii[i], self.masses[i]);
-        let v = self.predicted(i, h)[wall.axis] + 0.5 * h * self.gravity[wall.axis];
-        let mut force = [0.0; D];
-        force[wall.axis] = wall.facing * law.force_until(overlap, -wall.facing * v, self.end);
+        let along = self.predicted(i, h);
+        let fallen = along[wall.axis] + 0.5 * h * self.gravity[wall.axis];
+        let v = fallen - wall.plate.velocity(self.clock);
+        let push = law.force_until(overlap, -wall.facing * v, self.end);
+        let mut force = match law.tangential > 0.0 && push != 0.0 {
+            true => along.map(|v| -law.tangential * v),
+            false => [0.0; D],
+        };
+        force[wall.axis] = wall.facing * push;
         self.pushes.push(Push { grain: wall.grain, other: None, force });
         let which = 2 * wall.axis as u64 + u64::from(wall.facing < 0.0);
         self.touching[1].push(u64::from(wall.grain) << 32 | (u64::from(u32::MAX) - which));
@@ -71,6 +87,14 @@ impl<const D: usize> Verlet<D> {
     /// The velocity half a step on, by the old contact acceleration (uniform gravity apart).
     fn predicted(&self, i: usize, h: f64) -> Vector<D> {
         plus(&self.velocities[i], 0.5 * h, &self.accelerations[i])
+    }
+
+    /// Whether some contact's force, over a contact time, changes a velocity by more than 1e-6 of
+    /// the fastest one. Grains that rest against each other overlap by some rounding for ever.
+    fn pushed_noticeably(&self) -> bool {
+        let duration = self.step * self.options.steps_per_contact;
+        let least = 1e-6 * self.fastest * self.lightest / duration;
+        self.pushes.iter().any(|push| dot(&push.force, &push.force) > least * least)
     }
 
     fn count_contacts(&mut self) {

@@ -1,7 +1,11 @@
 //! What does ordinary molecular dynamics give, and what does it cost? Reads a system and a law; writes its motion in fixed steps.
 
 mod forces;
+mod gear;
 mod plan;
+mod until;
+
+pub use gear::Gear;
 
 use super::cells::Neighbours;
 use super::error::{ReferenceError, positive};
@@ -93,6 +97,13 @@ pub struct Verlet<const D: usize> {
     pushes: Vec<Push<D>>,
     counters: Counters,
     now: f64,
+    /// The time of the positions, also between two full steps.
+    clock: f64,
+    /// Whether there is a contact now whose force matters, and the last instant with one.
+    pushed: bool,
+    touched: f64,
+    lightest: f64,
+    fastest_plate: f64,
 }
 
 /// One contact's force on `grain`; `other` (if any) feels the opposite.
@@ -141,6 +152,11 @@ impl<const D: usize> Verlet<D> {
             pushes: Vec::new(),
             counters: Counters::default(),
             now: 0.0,
+            clock: 0.0,
+            pushed: false,
+            touched: f64::NEG_INFINITY,
+            lightest: grains.iter().map(|g| g.mass).fold(f64::INFINITY, f64::min),
+            fastest_plate: fastest_plate(system.boundary()),
         };
         run.prepare();
         run.push_all(0.0);
@@ -217,6 +233,7 @@ impl<const D: usize> Verlet<D> {
             let count = (left / self.step).ceil().max(1.0);
             let done = self.run(count as u64, left / count);
             self.now = if done == count as u64 { t } else { self.now + done as f64 * left / count };
+            self.clock = self.now;
             if !self.fastest.is_finite() {
                 let why = "its velocity is no longer finite";
                 return Err(ReferenceError::Unresolved { time: self.now, grain: 0, why });
@@ -247,7 +264,8 @@ impl<const D: usize> Verlet<D> {
         for (r, v) in self.positions.as_flattened_mut().iter_mut().zip(velocities) {
             *r += h * v;
         }
-        self.used += 2.0 * h * self.fastest;
+        self.clock += h;
+        self.used += 2.0 * h * self.fastest.max(self.fastest_plate);
     }
 
     fn kick(&mut self, h: f64) {
@@ -265,4 +283,13 @@ impl<const D: usize> Verlet<D> {
             }
         }
     }
+}
+
+/// The largest speed of any plate.
+fn fastest_plate(boundary: &[Boundary]) -> f64 {
+    let speed = |bound: &Boundary| match bound {
+        Boundary::Plate(plate) => plate.fastest(),
+        _ => 0.0,
+    };
+    boundary.iter().map(speed).fold(0.0, f64::max)
 }

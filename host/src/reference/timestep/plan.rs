@@ -29,7 +29,7 @@ impl<const D: usize> Verlet<D> {
             },
         );
         self.fastest = first;
-        let shrunk = self.choose_step(first + second);
+        let shrunk = self.choose_step(first + second.max(self.fastest_plate));
         if self.skin == 0.0 {
             self.skin = self.options.skin.unwrap_or_else(|| self.cheapest_skin());
         }
@@ -45,10 +45,11 @@ impl<const D: usize> Verlet<D> {
         if relative <= 1.25 * self.designed && self.step.is_finite() {
             return false;
         }
-        let lightest = self.masses.iter().fold(f64::INFINITY, |m, x| m.min(*x));
+        let lightest = self.lightest;
         let pair: ContactLaw = self.law.pair([largest; 2], [lightest; 2]);
         let wall = self.law.wall(largest, lightest);
-        let walled = self.boundary.iter().any(|b| matches!(b, Boundary::Walls { .. }));
+        let wall_like = |b: &Boundary| matches!(b, Boundary::Walls { .. } | Boundary::Plate(_));
+        let walled = self.boundary.iter().any(wall_like);
         let speed = if relative > 0.0 { relative } else { largest };
         let mut shortest = pair.contact_time(speed);
         if walled {
@@ -68,7 +69,8 @@ impl<const D: usize> Verlet<D> {
         let cost = |skin: f64| {
             let ball = |r: f64| [2.0 * r, 3.15 * r * r, 4.19 * r * r * r][D.clamp(1, 3) - 1];
             let pairs = 0.5 * density * ball(reach + skin);
-            let per_list = skin / (2.0 * self.fastest * self.step);
+            let fastest = self.fastest.max(self.fastest_plate);
+            let per_list = skin / (2.0 * fastest * self.step);
             pairs * PAIR_COST + (LIST_COST + 10.0 * pairs) / per_list.max(1.0)
         };
         let trials = (0..60).map(|k| 0.02 * reach * 1.12_f64.powi(k));

@@ -1,0 +1,144 @@
+//! What becomes of the same column event by event? Reads a column; writes velocities after the impact, by ED and by eMD*.
+
+use super::column::{Column, Outcome};
+use crate::integrated::Integrated;
+use crate::reference::ForceLaw;
+use crate::storage::Storage;
+use anyhow::{Context, Result, bail};
+use carom::event::Counters;
+use carom::law::{HardSphere, LinearDashpot, Rule};
+use carom::matter::{Plane, Surface};
+use carom::{Fault, Grain, World};
+use carom_tables::End;
+
+/// More events than any of these columns needs.
+const MOST_EVENTS: u64 = 20_000_000;
+
+/// How contacts are dealt with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// Instantaneous collisions with ε between beads and ε_wall at the wall (L94 Sec. II B).
+    Instant,
+    /// Contacts that last as long as the force law says (MP13), until the overlap vanishes.
+    Lasting,
+}
+
+/// Spring and dashpot of a [`ForceLaw::PowerLaw`] with β = γ = 0, for beads of mass 1.
+///
+/// # Errors
+/// For any other law.
+pub fn dashpot(law: &ForceLaw) -> Result<LinearDashpot<f64>> {
+    match *law {
+        ForceLaw::PowerLaw { stiffness, beta: 0.0, damping, gamma: 0.0, .. } => {
+            Ok(LinearDashpot { stiffness, damping })
+        }
+        _ => bail!("the event-driven columns know spring and dashpot only"),
+    }
+}
+
+/// ε of a pair, and at the wall: L94 Eq. (7), with μ = D_n and D_n/2.
+pub fn restitution(law: &LinearDashpot<f64>) -> [f64; 2] {
+    [0.5, 1.0].map(|mass| {
+        let mu = 0.5 * law.damping / mass;
+        (-mu * std::f64::consts::PI / (law.stiffness / mass - mu * mu).sqrt()).exp()
+    })
+}
+
+/// Lets the column hit the wall, event by event.
+///
+/// # Errors
+/// A fault of the engine, or a column that does not come apart.
+pub fn collide(column: &Column, law: &ForceLaw, way: Way) -> Result<Outcome> {
+    let law = dashpot(law)?;
+    let [pair, wall] = restitution(&law);
+    match way {
+        Way::Instant => run(column, HardSphere { restitution: pair }, Surface::Hard(wall)),
+        Way::Lasting => {
+            let rule = Integrated::new(law).ending(End::Overlap);
+            run(column, rule, Surface::Rule)
+        }
+    }
+}
+
+/// Where the beads are at given times.
+///
+/// # Errors
+/// A fault of the engine.
+pub fn heights(column: &Column, law: &ForceLaw, way: Way, times: &[f64]) -> Result<Vec<Vec<f64>>> {
+    let law = dashpot(law)?;
+    let [pair, wall] = restitution(&law);
+    let mut storage = Storage::<f64, 1>::new(column.beads);
+    match way {
+        Way::Instant => {
+            let rule = HardSphere { restitution: pair };
+            sampled(&mut start(column, &mut storage, rule, Surface::Hard(wall))?, times)
+        }
+        Way::Lasting => {
+            let rule = Integrated::new(law).ending(End::Overlap);
+            sampled(&mut start(column, &mut storage, rule, Surface::Rule)?, times)
+        }
+    }
+}
+
+/// Where the grains of a world are at given times, and what was counted until the last of them.
+///
+/// # Errors
+/// A fault of the engine.
+pub fn counted<R: Rule<f64>>(
+    mut world: World<'_, f64, 1, R>,
+    times: &[f64],
+) -> Result<(Vec<Vec<f64>>, Counters)> {
+    let heights = sampled(&mut world, times)?;
+    Ok((heights, *world.counters()))
+}
+
+fn sampled<R: Rule<f64>>(world: &mut World<'_, f64, 1, R>, times: &[f64]) -> Result<Vec<Vec<f64>>> {
+    let at = |t: &f64| {
+        world.advance_to(*t)?;
+        let view = world.view();
+        let height = |i: usize| view.grain(i).map(|grain| grain.position[0]);
+        (0..view.len()).map(height).collect::<Option<_>>().context("a bead")
+    };
+    times.iter().map(at).collect()
+}
+
+fn run<R: Rule<f64>>(column: &Column, rule: R, surface: Surface<f64>) -> Result<Outcome> {
+    let mut storage = Storage::<f64, 1>::new(column.beads);
+    let mut world = start(column, &mut storage, rule, surface)?;
+    for event in 0..MOST_EVENTS {
+        let over = world.step()?.is_none();
+        if over || event % 64 == 63 {
+            let velocity = |i: usize| world.grain(i).map(|grain| grain.velocity[0]);
+            let all: Option<Vec<f64>> = (0..column.beads).map(velocity).collect();
+            let outcome = Outcome::of(all.context("a bead")?.into_iter(), column.speed);
+            if over || settled(&outcome) {
+                return Ok(outcome);
+            }
+        }
+    }
+    bail!("{column:?}: not over after {MOST_EVENTS} events")
+}
+
+/// The column as a world of the engine.
+fn start<'m, R: Rule<f64>>(
+    column: &Column,
+    storage: &'m mut Storage<f64, 1>,
+    rule: R,
+    surface: Surface<f64>,
+) -> Result<World<'m, f64, 1, R>, Fault> {
+    let radius = 0.5 * column.diameter;
+    let bead = |z: f64| Grain::with_mass(radius, 1.0).at([z]).moving([-column.speed]);
+    World::setup(storage)
+        .plane(Plane::new([1.0], 0.0, surface))
+        .rule(rule)
+        .grains(column.heights().into_iter().map(bead))?
+        .start()
+}
+
+/// Whether what may still happen cannot change the outcome: nothing moves (a collapse at the wall),
+/// or all beads leave the wall together (a collapse in flight).
+fn settled(outcome: &Outcome) -> bool {
+    outcome.restitution() < 1e-7
+        || (outcome.velocities.iter().all(|v| *v > 0.0)
+            && outcome.relative().is_some_and(|share| share < 1e-12))
+}

@@ -1,0 +1,122 @@
+//! How does a column of beads move on a vibrating plate? Reads beads, ε and the plate; writes their heights, by MD, ED and eMD* (L94 Sec. V).
+
+use super::hard;
+use crate::integrated::Integrated;
+use crate::reference::{Boundary, End, ForceLaw, Gear, Grain, Plate, System, VerletOptions};
+use crate::storage::Storage;
+use anyhow::Result;
+use carom::event::Counters;
+use carom::law::{HardSphere, Rule};
+use carom::matter::{Plane, Surface, Vibration};
+use carom::world::Setup;
+use carom::{Fault, World};
+use std::f64::consts::TAU;
+
+/// Gravity (m/s²).
+pub const GRAVITY: f64 = 9.81;
+
+/// A column of equal beads under gravity on a plate z_0(t) = A_0 sin(2π f t) (L94 Eq. 1).
+///
+/// # Units
+///
+/// SI; the beads' mass is 1 kg, for only K/m and D_n matter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shaken {
+    /// N.
+    pub beads: usize,
+    /// d.
+    pub diameter: f64,
+    /// ε of two beads.
+    pub restitution: f64,
+    /// Their contact time t_c; for ED it only tells K, and with it ε at the plate.
+    pub contact_time: f64,
+    /// A_0.
+    pub amplitude: f64,
+    /// f.
+    pub frequency: f64,
+    /// Between neighbours at the start, where nothing moves but the plate.
+    pub gap: f64,
+}
+
+impl Shaken {
+    /// α = A_0 ω²/g.
+    pub fn agitation(&self) -> f64 {
+        self.amplitude * (TAU * self.frequency).powi(2) / GRAVITY
+    }
+
+    /// The amplitude at which α has this value.
+    pub fn amplitude_for(frequency: f64, agitation: f64) -> f64 {
+        agitation * GRAVITY / (TAU * frequency).powi(2)
+    }
+
+    fn places(&self) -> impl Iterator<Item = f64> + use<> {
+        let Self { diameter, gap, .. } = *self;
+        (0..self.beads).map(move |k| (k as f64 + 0.5) * diameter + (k + 1) as f64 * gap)
+    }
+
+    fn law(&self) -> Result<ForceLaw> {
+        Ok(ForceLaw::spring_of(1.0, self.contact_time, self.restitution)?)
+    }
+
+    /// Heights of all beads at given times by MD, with L94's integrator in so many steps per contact.
+    ///
+    /// # Errors
+    /// As [`Gear::advance_to`].
+    pub fn by_md(&self, times: &[f64], steps: f64) -> Result<Vec<Vec<f64>>> {
+        let plate =
+            Plate { amplitude: self.amplitude, frequency: self.frequency, ..Plate::fixed(0.0) };
+        let bead = |z: f64| Grain {
+            radius: 0.5 * self.diameter,
+            mass: 1.0,
+            position: [z],
+            velocity: [0.0],
+        };
+        let grains = self.places().map(bead).collect();
+        let system = System::new(grains, [Boundary::Plate(plate)], [-GRAVITY])?;
+        let options = VerletOptions { steps_per_contact: steps, ..VerletOptions::default() };
+        let mut run = Gear::new(&system, self.law()?, End::Overlap, options)?;
+        let at = |t: &f64| {
+            run.advance_to(*t)?;
+            Ok((0..self.beads).map(|i| run.position(i)[0]).collect())
+        };
+        times.iter().map(at).collect()
+    }
+
+    /// The same by ED, and what the engine counted.
+    ///
+    /// # Errors
+    /// A fault of the engine.
+    pub fn by_ed(&self, times: &[f64]) -> Result<(Vec<Vec<f64>>, Counters)> {
+        let [pair, wall] = hard::restitution(&hard::dashpot(&self.law()?)?);
+        let mut storage = Storage::<f64, 1>::new(self.beads);
+        let rule = HardSphere { restitution: pair };
+        let world = self.on(World::setup(&mut storage).rule(rule), Surface::Hard(wall))?;
+        hard::counted(world, times)
+    }
+
+    /// The same by eMD*.
+    ///
+    /// # Errors
+    /// A fault of the engine.
+    pub fn by_star(&self, times: &[f64]) -> Result<(Vec<Vec<f64>>, Counters)> {
+        let law = hard::dashpot(&self.law()?)?;
+        let mut storage = Storage::<f64, 1>::new(self.beads);
+        let rule = Integrated::new(law).ending(carom_tables::End::Overlap);
+        let world = self.on(World::setup(&mut storage).rule(rule), Surface::Rule)?;
+        hard::counted(world, times)
+    }
+
+    fn on<'m, R: Rule<f64>>(
+        &self,
+        setup: Setup<'m, f64, 1, R>,
+        surface: Surface<f64>,
+    ) -> Result<World<'m, f64, 1, R>, Fault> {
+        let vibration = Vibration::new(self.amplitude, self.frequency);
+        let bead = |z: f64| carom::Grain::with_mass(0.5 * self.diameter, 1.0).at([z]);
+        setup
+            .plane(Plane::new([1.0], 0.0, surface).vibrating(vibration))
+            .gravity([-GRAVITY])
+            .grains(self.places().map(bead))?
+            .start()
+    }
+}
