@@ -18,6 +18,12 @@ pub(super) fn pair<S: Scalar, const D: usize>(
     limit: S,
 ) -> Found<S> {
     let reach = me.radius + other.radius;
+    if !me.is_held() && !other.is_held() {
+        let (position, velocity) = flight::free(other, &scene.gravity, scene.now);
+        let separation = scene.boundary.nearest(me.position - position);
+        let found = root::spheres(&separation, &(me.velocity - velocity), reach);
+        return found.map_or(Found::Nothing, Found::Event);
+    }
     if me.is_frozen() && other.is_frozen() && me.planes == other.planes {
         return Found::Nothing;
     }

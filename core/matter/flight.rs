@@ -77,12 +77,28 @@ fn fly<S: Scalar, const D: usize>(
     span: S,
     now: S,
 ) -> Body<S, D> {
-    Body {
-        position: body.position + (body.velocity + a * (span * S::half())) * span,
-        velocity: body.velocity + a * span,
-        clock: now,
-        ..*body
-    }
+    let (position, velocity) = after(body, a, span);
+    Body { position, velocity, clock: now, ..*body }
+}
+
+/// Position and velocity of a body that nothing holds: r + v t + g t²/2 and v + g t.
+#[inline]
+pub fn free<S: Scalar, const D: usize>(
+    body: &Body<S, D>,
+    gravity: &Vector<S, D>,
+    now: S,
+) -> (Vector<S, D>, Vector<S, D>) {
+    after(body, gravity, now - body.clock)
+}
+
+#[inline]
+fn after<S: Scalar, const D: usize>(
+    body: &Body<S, D>,
+    a: &Vector<S, D>,
+    span: S,
+) -> (Vector<S, D>, Vector<S, D>) {
+    let position = body.position + (body.velocity + a * (span * S::half())) * span;
+    (position, body.velocity + a * span)
 }
 
 /// Lets the grain move until `now`.
