@@ -2,7 +2,8 @@
 //!
 //! The fastest: largest relative velocity first (LRV; Clément et al., Int. J. Mod. Phys. B 7, 1807,
 //! 1993; L94 §II.B). Time alone does not order exactly simultaneous collisions, and the grains'
-//! numbers mean nothing physical. They decide only between equal speeds.
+//! numbers mean nothing physical. They decide only between equal speeds. What is no collision (a
+//! contact's end, a take-off, a look around) comes before: it says who collides at all.
 
 use super::predict;
 use super::queue::{Kind, Queue, Slot};
@@ -29,18 +30,22 @@ pub(crate) fn fastest<S: Scalar, const D: usize>(
     if slot.kind != Kind::Meet {
         return Ok(grain);
     }
-    let (mut stale, mut count) = (None, 0);
+    let (mut stale, mut other, mut count) = (None, None, 0);
     queue.tied(slot.time, &mut |k| {
+        let tied = queue.slot(k);
         count += 1;
-        if predict::is_stale(scene, &queue.slot(k)) {
+        if predict::is_stale(scene, &tied) {
             stale = Some(k);
+        } else if tied.kind != Kind::Meet {
+            other = Some(k);
         }
-        stale.is_none() && count < MOST
+        stale.is_none() && other.is_none() && count < MOST
     });
-    match stale {
-        Some(stale) => Err(stale),
-        None if count < 2 => Ok(grain),
-        None => Ok(first_of(scene, queue, grain, slot.time)),
+    match (stale, other) {
+        (Some(stale), _) => Err(stale),
+        (None, Some(other)) => Ok(other),
+        (None, None) if count < 2 => Ok(grain),
+        (None, None) => Ok(first_of(scene, queue, grain, slot.time)),
     }
 }
 

@@ -147,7 +147,8 @@ fn leans<S: Scalar, const D: usize>(
     is_nothing(&give(scene, (x, body), g, None), &g) && freeze(scene, x, body, &support, radial)
 }
 
-/// Lays a grain still, on the plate that carries its support; not if it moves on across the contact.
+/// Lays a grain still, on the plate that carries its support; not if that falls away, nor if the grain
+/// moves on across the contact.
 fn freeze<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     x: usize,
@@ -158,7 +159,10 @@ fn freeze<S: Scalar, const D: usize>(
     let velocity = carried(scene, support);
     let moves = body.velocity - velocity;
     let limit = slow(scene, support, radial);
-    if D > 1 && moves.dot(&moves) > limit * limit {
+    let falls = flight::plate(support, scene.field()).is_some_and(|plate| {
+        plate.motion(scene.now).acceleration < plate.normal.dot(&scene.gravity)
+    });
+    if falls || (D > 1 && moves.dot(&moves) > limit * limit) {
         return false;
     }
     let planes = body.planes | support.planes;

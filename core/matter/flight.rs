@@ -62,12 +62,15 @@ pub fn at<S: Scalar, const D: usize>(
     if !body.is_held() {
         return fly(body, field.gravity, span, now);
     }
-    let mut there = fly(body, &acceleration(body, field), span, now);
-    if let Some(plate) = plate(body, field) {
-        let (then, later, normal) = (plate.motion(body.clock), plate.motion(now), &plate.normal);
-        there.position += normal * ((later.place - then.place) - then.speed * span);
-        there.velocity += normal * (later.speed - then.speed);
-    }
+    let Some(plate) = plate(body, field) else {
+        return fly(body, &acceleration(body, field), span, now);
+    };
+    // Along the normal it moves as the plate does, not by a velocity of its own: rounding cannot add up.
+    let (then, later, n) = (plate.motion(body.clock), plate.motion(now), &plate.normal);
+    let across = Body { velocity: body.velocity - n * n.dot(&body.velocity), ..*body };
+    let mut there = fly(&across, &acceleration(body, field), span, now);
+    there.position += n * (later.place - then.place);
+    there.velocity += n * later.speed;
     there
 }
 

@@ -94,8 +94,10 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             }
             let stale = match order::fastest(&self.scene, &self.queue, grain, &slot) {
                 Ok(fastest) => {
-                    self.scene.counters.reordered += u64::from(fastest != grain);
-                    return Some((fastest, self.queue.slot(fastest)));
+                    let first = self.queue.slot(fastest);
+                    let faster = fastest != grain && first.kind == Kind::Meet;
+                    self.scene.counters.reordered += u64::from(faster);
+                    return Some((fastest, first));
                 }
                 Err(stale) => stale,
             };

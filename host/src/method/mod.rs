@@ -9,11 +9,11 @@ pub use event_driven::{EventDriven, Logged};
 pub use force_based::ForceBased;
 pub use touching::touching;
 
-use crate::reference::{self, Exact, Verlet, VerletOptions};
+use crate::reference::{self, Exact, Plate, Verlet, VerletOptions};
 use crate::scenario::{MethodName, Placed, ReleaseSpec, Scenario, Side, Start};
 use crate::storage::Storage;
 use anyhow::{Context, Result};
-use carom::matter::{Plane, Surface};
+use carom::matter::{Plane, Surface, Vibration};
 use carom::world::Setup;
 use carom::{Grain, Release, World};
 
@@ -117,7 +117,8 @@ fn with_world<const D: usize, T>(
     let rule = rule::rule(name, scenario)?;
     let mut storage = Storage::<f64, D>::new(start.grains.len());
     let setup = World::setup(&mut storage).gravity(first(&start.gravity));
-    let setup = enclose(setup.release(release(scenario)), start).rule(&*rule);
+    let setup =
+        enclose(setup.release(release(scenario)).tc(scenario.options.tc), start).rule(&*rule);
     let grains = start.grains.iter().map(|grain| {
         Grain::with_mass(grain.radius, grain.mass)
             .at(first(&grain.position))
@@ -141,6 +142,10 @@ fn enclose<'m, const D: usize, R>(
     for (axis, side) in start.sides.iter().enumerate().take(D) {
         let (surface, [from, to]) = match *side {
             Side::Open => continue,
+            Side::Plate(plate, restitution) => {
+                setup = setup.plane(plate_below(axis, &plate, restitution));
+                continue;
+            }
             Side::Periodic(range) => {
                 setup = setup.periodic_axis(axis, range);
                 continue;
@@ -157,6 +162,21 @@ fn enclose<'m, const D: usize, R>(
     setup
 }
 
+fn plate_below<const D: usize>(
+    axis: usize,
+    plate: &Plate,
+    restitution: Option<f64>,
+) -> Plane<f64, D> {
+    let mut normal = [0.0; D];
+    normal[axis] = 1.0;
+    let surface = restitution.map_or(Surface::Rule, Surface::Hard);
+    let plane = Plane::new(normal, plate.at, surface);
+    if plate.amplitude == 0.0 {
+        return plane;
+    }
+    plane.vibrating(Vibration::new(plate.amplitude, plate.frequency).starting_at(plate.phase))
+}
+
 fn system<const D: usize>(
     scenario: &Scenario,
     start: &Start,
@@ -164,6 +184,7 @@ fn system<const D: usize>(
     let boundary = std::array::from_fn(|axis| match start.sides[axis] {
         Side::Periodic([lo, hi]) => reference::Boundary::Periodic { lo, hi },
         Side::Soft([lo, hi]) | Side::Hard([lo, hi], _) => reference::Boundary::Walls { lo, hi },
+        Side::Plate(plate, _) => reference::Boundary::Plate(plate),
         Side::Open => reference::Boundary::Open,
     });
     let grains = start.grains.iter().map(|grain| reference::Grain {

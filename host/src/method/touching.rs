@@ -39,6 +39,8 @@ fn overlap(start: &Start, a: &Placed, b: &Placed) -> bool {
 fn on_wall(start: &Start, grain: &Placed) -> bool {
     start.sides.iter().zip(grain.position).any(|(side, x)| match *side {
         Side::Soft([from, to]) => x - from < grain.radius || to - x < grain.radius,
+        // Wherever a plate is now, it is not above its highest place.
+        Side::Plate(plate, None) => x - plate.at - plate.amplitude < grain.radius,
         _ => false,
     })
 }

@@ -16,6 +16,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<()> {
     check_end(scenario)?;
     positive("sample", scenario.sample)?;
     scenario.options.exact_until.map_or(Ok(()), |t| positive("options.exact_until", t))?;
+    not_negative("options.tc", scenario.options.tc)?;
     law(&scenario.law)?;
     sides(&scenario.sides, d)?;
     methods(scenario)?;
@@ -60,18 +61,32 @@ fn sides(sides: &Sides, dimension: usize) -> Result<()> {
         if axis >= dimension && side != SideSpec::Open {
             bail!("box.{name} is given, but dimension is {dimension}");
         }
-        if let SideSpec::Walls { surface, restitution, .. } = side {
-            match (surface, restitution) {
-                (SurfaceSpec::Hard, Some(e)) => fraction(&format!("box.{name}.restitution"), e)?,
-                (SurfaceSpec::Hard, None) => bail!("box.{name}.restitution: hard walls need one"),
-                (SurfaceSpec::Soft, Some(_)) => {
-                    bail!("box.{name}.restitution: soft walls follow the law and have none")
+        match side {
+            SideSpec::Open | SideSpec::Periodic { .. } => {}
+            SideSpec::Walls { surface, restitution, .. } => made_of(name, surface, restitution)?,
+            SideSpec::Plate { at, amplitude, frequency, phase, surface, restitution } => {
+                made_of(name, surface, restitution)?;
+                finite(&format!("box.{name}.at"), at)?;
+                finite(&format!("box.{name}.phase"), phase)?;
+                not_negative(&format!("box.{name}.amplitude"), amplitude)?;
+                if amplitude > 0.0 {
+                    positive(&format!("box.{name}.frequency"), frequency)?;
                 }
-                (SurfaceSpec::Soft, None) => {}
             }
         }
     }
     Ok(())
+}
+
+fn made_of(name: &str, surface: SurfaceSpec, restitution: Option<f64>) -> Result<()> {
+    match (surface, restitution) {
+        (SurfaceSpec::Hard, Some(e)) => fraction(&format!("box.{name}.restitution"), e),
+        (SurfaceSpec::Hard, None) => bail!("box.{name}.restitution: hard walls need one"),
+        (SurfaceSpec::Soft, Some(_)) => {
+            bail!("box.{name}.restitution: soft walls follow the law and have none")
+        }
+        (SurfaceSpec::Soft, None) => Ok(()),
+    }
 }
 
 /// Force-based MD needs forces, from walls too.

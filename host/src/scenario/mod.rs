@@ -155,8 +155,12 @@ impl Scenario {
     /// The first axis with hard walls, which no force-based method knows.
     pub fn hard_walls(&self) -> Option<&'static str> {
         let sides = [("x", self.sides.x), ("y", self.sides.y), ("z", self.sides.z)];
-        let hard =
-            |side: SideSpec| matches!(side, SideSpec::Walls { surface: SurfaceSpec::Hard, .. });
+        let hard = |side: SideSpec| match side {
+            SideSpec::Walls { surface, .. } | SideSpec::Plate { surface, .. } => {
+                surface == SurfaceSpec::Hard
+            }
+            _ => false,
+        };
         sides.into_iter().find(|(_, side)| hard(*side)).map(|(name, _)| name)
     }
 }

@@ -64,7 +64,7 @@ fn find_place(
         *room = match sides[axis] {
             Side::Periodic(range) => range,
             Side::Soft([from, to]) | Side::Hard([from, to], _) => [from + radius, to - radius],
-            Side::Open => {
+            Side::Open | Side::Plate(..) => {
                 bail!("box.{}: a gas needs every axis walled or periodic", ["x", "y", "z"][axis])
             }
         };

@@ -42,6 +42,24 @@ pub enum SideSpec {
         /// Coefficient of restitution of hard walls.
         restitution: Option<f64>,
     },
+    /// A plate below, z₀(t) = at + A₀ sin(2π (f t + φ)) (L94, Eq. 1); nothing above.
+    Plate {
+        /// Its mean place (m).
+        at: f64,
+        /// A₀ (m); 0, the default, is a plate at rest.
+        #[serde(default)]
+        amplitude: f64,
+        /// f (Hz).
+        #[serde(default)]
+        frequency: f64,
+        /// φ, in turns.
+        #[serde(default)]
+        phase: f64,
+        /// Soft plates follow the contact law; hard ones need `restitution`.
+        surface: SurfaceSpec,
+        /// Coefficient of restitution of a hard plate.
+        restitution: Option<f64>,
+    },
 }
 
 /// What walls are made of.
@@ -93,6 +111,8 @@ pub struct Options {
     pub matrix: MatrixSpec,
     /// Which table.
     pub table: crate::tables::Size,
+    /// t_c of the TC rule (s), for hard collisions; 0, the default, is no such rule.
+    pub tc: f64,
     /// Write the event-driven methods' events to a CSV file.
     pub events: bool,
     /// How long `carom compare` runs the exact MD (s); positions are compared until then.
@@ -106,6 +126,7 @@ impl Default for Options {
             release: ReleaseSpec::Paired,
             matrix: MatrixSpec::Table,
             table: crate::tables::Size::Standard,
+            tc: 0.0,
             events: false,
             exact_until: None,
         }

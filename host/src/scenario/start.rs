@@ -1,6 +1,7 @@
 //! Where does everything stand at time 0? Reads a scenario; writes nothing, returns grains and box.
 
 use super::{Scenario, SideSpec, SurfaceSpec, place};
+use crate::reference::Plate;
 use anyhow::{Result, bail};
 use std::f64::consts::PI;
 
@@ -31,13 +32,15 @@ pub enum Side {
     Soft([f64; 2]),
     /// Walls with this coefficient of restitution.
     Hard([f64; 2], f64),
+    /// A plate below, soft or with this coefficient of restitution; nothing above.
+    Plate(Plate, Option<f64>),
 }
 
 impl Side {
     /// Where the axis begins and ends, if it does.
     pub const fn range(&self) -> Option<[f64; 2]> {
         match *self {
-            Self::Open => None,
+            Self::Open | Self::Plate(..) => None,
             Self::Periodic(range) | Self::Soft(range) | Self::Hard(range, _) => Some(range),
         }
     }
@@ -127,6 +130,9 @@ fn sides(scenario: &Scenario) -> Result<[Side; 3]> {
                     SurfaceSpec::Soft => Side::Soft(range),
                     SurfaceSpec::Hard => Side::Hard(range, restitution.unwrap_or(1.0)),
                 }
+            }
+            SideSpec::Plate { at, amplitude, frequency, phase, restitution, .. } => {
+                Side::Plate(Plate { at, amplitude, frequency, phase }, restitution)
             }
         };
     }
