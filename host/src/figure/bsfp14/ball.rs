@@ -1,22 +1,18 @@
-//! Does a bouncing ball come to rest? Drops it on plates at a million heights; writes how many impacts each way of detection makes (BSFP14 Fig. 7).
+//! Does a bouncing ball come to rest? Drops it on a plate by naive and by stable detection and by the engine; writes how that ended (BSFP14 Fig. 7).
 //!
 //! The ball of diameter σ = 1 falls from r = r_plate + 1, so by 1/2, with ε = 0.5; the paper does not
 //! say what g is, here it is 9.81. In exact arithmetic it meets the plate first at t_1 = √(1/9.81) and comes
 //! to rest, after infinitely many impacts, at t_final = t_1 (1 + ε)/(1 − ε), wherever the plate is.
 
-use crate::figure::draw::{self, Kind, Look, Mark, Scale};
-use crate::figure::{Figure, Made, Note, Options, Progress, Series};
-use anyhow::Result;
 use carom::event::root;
-use rayon::prelude::*;
+use carom::law::HardSphere;
+use carom::{Fault, Grain, Memory, World};
 
 const SIGMA: f64 = 1.0;
 const GRAVITY: f64 = -9.81;
 const RESTITUTION: f64 = 0.5;
 /// A naive simulation with so many impacts does not halt any more.
 const ENOUGH: u32 = 200;
-/// Numbers of impacts that the histogram tells apart.
-const MOST: usize = 80;
 
 /// The closed form of the time at which the ball comes to rest.
 pub fn t_final() -> f64 {
@@ -68,11 +64,13 @@ impl Way {
         all
     }
 
-    fn method(self) -> &'static str {
+    /// By which rule the next impact is found.
+    pub fn method(self) -> &'static str {
         if self.stable { "stable" } else { "naive" }
     }
 
-    fn form(self) -> &'static str {
+    /// f in letters.
+    pub fn form(self) -> &'static str {
         match self.form {
             Form::InTurn => "r − r_p − σ/2",
             Form::Summed => "r − (r_p + σ/2)",
@@ -80,7 +78,8 @@ impl Way {
         }
     }
 
-    fn flight(self) -> &'static str {
+    /// The flight in letters.
+    pub fn flight(self) -> &'static str {
         match self.flight {
             Flight::InTurn => "r + Δt v + Δt²/2 g",
             Flight::Nested => "r + Δt (v + Δt/2 g)",
@@ -145,104 +144,21 @@ pub fn drop_on(plate: f64, way: Way) -> End {
     rest.unwrap_or(End { halted: true, time, impacts: ENOUGH })
 }
 
-/// What many plates gave.
-struct Sum {
-    halted: u64,
-    /// Impacts before the halt, or until rest, and how often.
-    impacts: Vec<u64>,
-    /// The largest |t_end − t_final| of the balls that came to rest.
-    late: f64,
-}
-
-impl Sum {
-    fn of(plates: &[f64], way: Way) -> Self {
-        let none = || Self { halted: 0, impacts: vec![0; MOST], late: 0.0 };
-        let add = |mut sum: Self, plate: &f64| {
-            let end = drop_on(*plate, way);
-            sum.halted += u64::from(end.halted);
-            if end.halted || way.stable {
-                sum.impacts[(end.impacts as usize).min(MOST - 1)] += 1;
-            }
-            if !end.halted {
-                sum.late = sum.late.max((end.time - t_final()).abs());
-            }
-            sum
-        };
-        plates.par_iter().fold(none, add).reduce(none, |mut a, b| {
-            a.impacts.iter_mut().zip(&b.impacts).for_each(|(a, b)| *a += b);
-            Self { halted: a.halted + b.halted, late: a.late.max(b.late), ..a }
-        })
+/// Drops the ball on a plate in a world of its own, until the engine lays it down.
+///
+/// # Errors
+/// What the engine says.
+pub fn drop_in_world(plate: f64) -> Result<End, Fault> {
+    let mut memory = Memory::<f64, 1, 1>::new();
+    let mut world = World::setup(&mut memory)
+        .hard_walls([[plate, plate + 10.0]], RESTITUTION)
+        .gravity([GRAVITY])
+        .rule(HardSphere { restitution: RESTITUTION })
+        .grain(Grain::with_mass(SIGMA / 2.0, 1.0).at([plate + 1.0]))?
+        .start()?;
+    let mut impacts = 0;
+    while !world.view().is_at_rest(0) && impacts < ENOUGH && world.step()?.is_some() {
+        impacts += 1;
     }
-
-    fn mean(&self) -> f64 {
-        let total: u64 = self.impacts.iter().sum();
-        let sum: u64 = (0..).zip(&self.impacts).map(|(k, n)| k * n).sum();
-        sum as f64 / total.max(1) as f64
-    }
-}
-
-/// Plates at heights from 0 to 1.
-pub fn plates(count: usize) -> Vec<f64> {
-    (0..count).map(|i| i as f64 / (count - 1) as f64).collect()
-}
-
-/// Makes the figure: on how many plates a simulation ended after so many impacts.
-pub fn make(options: &Options) -> Result<Made> {
-    let plates = plates(if options.full { 10_000_000 } else { 1_000_000 });
-    let ways = Way::all();
-    let progress = Progress::new("bsfp14-7", ways.len() as u64);
-    let axes = ["impacts until the simulation ends", "share of plate positions"];
-    let mut figure = Figure::new("bsfp14-7", axes);
-    let mut notes = Vec::new();
-    for way in ways {
-        let sum = Sum::of(&plates, way);
-        // The picture shows the paper's flight; the notes show both.
-        if way.flight == Flight::InTurn {
-            figure = figure.with(series(way, &sum, plates.len()));
-        }
-        notes.push(note(way, &sum, plates.len()));
-        progress.add(1);
-    }
-    let look = Look::new("A bouncing ball on 10^{6} plates: when does detection end?")
-        .scales(Scale::LINEAR.from(25.0, 34.0), Scale::LOG.from(1e-6, 2.0))
-        .kinds(&[Kind::Both])
-        .mark(Mark::Place(30.0, "paper: halts after about 30".to_owned()));
-    let picture = draw::draw(&figure, &look);
-    Ok(Made { figure, picture, notes })
-}
-
-fn series(way: Way, sum: &Sum, plates: usize) -> Series {
-    let verb = if way.stable { "rests" } else { "halts" };
-    let mut series = Series::new(format!("{} {verb}: {}", way.method(), way.form()))
-        .param("method", way.method())
-        .param("overlap_function", way.form())
-        .param("flight", way.flight())
-        .param("plates", plates as f64)
-        .param("halted", sum.halted as f64 / plates as f64)
-        .param("mean_impacts", sum.mean())
-        .param("t_final", t_final())
-        .param("largest_error_of_t_final", sum.late);
-    for (impacts, count) in sum.impacts.iter().enumerate().filter(|(_, count)| **count > 0) {
-        series.push(impacts as f64, *count as f64 / plates as f64);
-    }
-    series
-}
-
-fn note(way: Way, sum: &Sum, plates: usize) -> Note {
-    let what = format!("{}, f = {}, flight {}", way.method(), way.form(), way.flight());
-    if way.stable {
-        let ours = format!(
-            "{} of {plates} at rest, |t − t_final| ≤ {:.1e}, {:.1} impacts",
-            plates as u64 - sum.halted,
-            sum.late,
-            sum.mean()
-        );
-        return Note::new(what, "all at rest at t_final", ours);
-    }
-    let share = 100.0 * sum.halted as f64 / plates as f64;
-    let ours = match sum.halted {
-        0 => "none halted".to_owned(),
-        _ => format!("{share:.1} % halted, after {:.1} impacts", sum.mean()),
-    };
-    Note::new(what, "≈ 50 % halted, after ≈ 30 impacts", ours)
+    Ok(End { halted: !world.view().is_at_rest(0), time: world.now().as_f64(), impacts })
 }

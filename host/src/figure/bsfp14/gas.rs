@@ -8,14 +8,17 @@ use carom::{Grain, View, Watch};
 use rayon::prelude::*;
 
 /// Bins on each side of contact; what is further off is in the outermost.
-pub(super) const REACH: i32 = 200;
+pub const REACH: i32 = 200;
 
 /// What was seen at the impacts of one gas.
-pub(super) struct Seen {
+pub struct Seen {
+    /// ε.
     pub restitution: f64,
+    /// ρ.
     pub density: f64,
     /// How often |r| − σ was so many floating-point numbers from contact, from −REACH to REACH.
     pub histogram: Vec<u64>,
+    /// Overlapping pairs.
     pub overlaps: Overlaps,
     sum: f64,
     squares: f64,
@@ -72,7 +75,7 @@ impl Watch<f64, 3> for Seen {
 ///
 /// # Errors
 /// What the engine says.
-pub(super) fn run(
+pub fn run(
     fluid: &Fluid,
     start: &[Grain<f64, 3>],
     collisions: u64,
@@ -89,7 +92,10 @@ pub(super) fn run(
 }
 
 /// Runs gases of `grains` grains at all densities and coefficients of restitution, several at once.
-pub(super) fn all(
+///
+/// # Errors
+/// What the engine says.
+pub fn all(
     id: &str,
     grains: usize,
     [densities, restitutions]: [&[f64]; 2],

@@ -162,3 +162,33 @@ fn pair<const D: usize>(
 fn overlap<const D: usize>(r: &Vector<f64, D>) -> f64 {
     r.dot(r) - 1.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom::law::HardSphere;
+    use carom::{Grain, Memory, World};
+
+    /// Looks at two grains at this distance.
+    fn seen(ledger: &mut Overlaps, distance: f64) {
+        let mut memory = Memory::<f64, 1, 2>::new();
+        let setup = World::setup(&mut memory).rule(HardSphere { restitution: 1.0 });
+        let grain = |x| Grain::with_mass(0.5, 1.0).at([x]);
+        let world = setup.grains([grain(0.0), grain(distance)]).unwrap().start().unwrap();
+        ledger.look(0, &world.view());
+    }
+
+    #[test]
+    fn an_overlap_that_gets_deeper_is_noticed_and_one_that_ends_is_forgotten() {
+        let mut ledger = Overlaps::new(2);
+        ledger.note(0, 1, Some(-4e-16));
+        ledger.note(1, 0, Some(-4e-16));
+        seen(&mut ledger, 1.0 - f64::EPSILON / 2.0);
+        assert_eq!(ledger.decrease, 0.0);
+        seen(&mut ledger, 1.0 - 2.0 * f64::EPSILON);
+        assert_eq!(ledger.decrease, 1.5 * f64::EPSILON);
+        assert_eq!(ledger.open[1].len(), 1);
+        seen(&mut ledger, 1.0);
+        assert!(ledger.open.iter().all(Vec::is_empty));
+    }
+}
