@@ -21,6 +21,16 @@ pub enum Found<S> {
     Nothing,
 }
 
+impl<S: Scalar> Found<S> {
+    /// Up to when nothing happens.
+    pub fn span(&self) -> S {
+        match *self {
+            Self::Event(span) | Self::NotBefore(span) => span,
+            Self::Nothing => S::NEVER,
+        }
+    }
+}
+
 /// How a search steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Search<S> {

@@ -54,10 +54,27 @@ pub(super) fn settle<S: Scalar, const D: usize>(
     let Some(plane) = scene.boundary.planes().get(p) else { return Deed::Wander };
     let speed = plane.motion(scene.now).speed;
     let velocity = without(&body.velocity, &plane.normal) + plane.normal * speed;
-    let at_rest = Body { velocity, moment: scene.now, ..*body }.resting_on(p);
+    let planes = body.planes & square_to(scene, p);
+    let corner = planes != body.planes && !body.is_frozen();
+    let planes = if body.is_frozen() { body.planes } else { planes };
+    let at_rest = Body { velocity, planes, moment: scene.now, ..*body }.resting_on(p);
+    let g = felt(scene, &at_rest);
+    let wedged = corner && is_nothing(&give(scene, (i, &at_rest), g, None), &g);
+    if wedged && freeze(scene, i, &at_rest, &at_rest, S::zero()) {
+        return Deed::Rest;
+    }
     scene.counters.rests += 1;
     scene.place(i, at_rest);
     Deed::Rest
+}
+
+/// The planes at right angles to plane `p`, as bits: sliding along one of two others leads off or into it.
+fn square_to<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, p: usize) -> u8 {
+    let Some(plane) = scene.boundary.planes().get(p) else { return 0 };
+    let planes = scene.boundary.planes().iter().enumerate();
+    let square =
+        planes.filter(|(_, q)| q.normal.dot(&plane.normal).magnitude() <= S::from_f32(1e-6));
+    square.fold(0, |bits, (q, _)| bits | 1_u8.checked_shl(q as u32).unwrap_or(0))
 }
 
 /// Whether two grains touch so slowly that gravity decides what comes of it, not their collision.
@@ -159,9 +176,8 @@ fn freeze<S: Scalar, const D: usize>(
     let velocity = carried(scene, support);
     let moves = body.velocity - velocity;
     let limit = slow(scene, support, radial);
-    let falls = flight::plate(support, scene.field()).is_some_and(|plate| {
-        plate.motion(scene.now).acceleration < plate.normal.dot(&scene.gravity)
-    });
+    let falls = flight::plates(support, scene.field())
+        .any(|plate| plate.motion(scene.now).acceleration < plate.normal.dot(&scene.gravity));
     if falls || (D > 1 && moves.dot(&moves) > limit * limit) {
         return false;
     }

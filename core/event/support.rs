@@ -38,10 +38,8 @@ pub(super) fn felt<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     held: &Body<S, D>,
 ) -> Vector<S, D> {
-    match flight::plate(held, scene.field()) {
-        Some(plate) => scene.gravity - plate.normal * plate.motion(scene.now).acceleration,
-        None => scene.gravity,
-    }
+    let plates = flight::plates(held, scene.field());
+    plates.fold(scene.gravity, |g, p| g - p.normal * p.motion(scene.now).acceleration)
 }
 
 /// The velocity of the plate that carries a body; zero if none does.
@@ -49,10 +47,8 @@ pub(super) fn carried<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     body: &Body<S, D>,
 ) -> Vector<S, D> {
-    match flight::plate(body, scene.field()) {
-        Some(plate) => plate.normal * plate.motion(scene.now).speed,
-        None => Vector::zeros(),
-    }
+    let plates = flight::plates(body, scene.field());
+    plates.fold(Vector::zeros(), |v, p| v + p.normal * p.motion(scene.now).speed)
 }
 
 /// Surfaces this near touch: within the height of a hop, or of rounding.

@@ -27,15 +27,18 @@ pub(super) fn pair<S: Scalar, const D: usize>(
     if me.is_frozen() && other.is_frozen() && me.planes == other.planes {
         return Found::Nothing;
     }
-    if me.planes == other.planes && me.is_frozen() == other.is_frozen() {
+    let field = scene.field();
+    let apart = flight::acceleration(me, field) - flight::acceleration(other, field);
+    let together = flight::plates(me, field).eq(flight::plates(other, field));
+    let alike = me.planes == other.planes && me.is_frozen() == other.is_frozen();
+    if alike || (together && !(apart.dot(&apart) > S::zero())) {
         let other = flight::at(other, scene.field(), scene.now);
         let separation = scene.separation(me, &other);
         let found = root::spheres(&separation, &(me.velocity - other.velocity), reach);
         return found.map_or(Found::Nothing, Found::Event);
     }
-    let field = scene.field();
-    let apart = flight::acceleration(me, field) - flight::acceleration(other, field);
-    let bound = apart.dot(&apart).sqrt() + shaking(scene, me) + shaking(scene, other);
+    let shaking = if together { S::zero() } else { shaking(scene, me) + shaking(scene, other) };
+    let bound = apart.dot(&apart).sqrt() + shaking;
     Search::new(bound.larger(weak(reach, limit)), reach, limit).first(|t| {
         let [a, b] = [me, other].map(|body| flight::at(body, field, scene.now + t));
         overlap(&scene.separation(&a, &b), &(a.velocity - b.velocity), reach)
@@ -69,14 +72,14 @@ pub(super) fn plane<S: Scalar, const D: usize>(
     let (v, a) =
         (plane.normal.dot(&me.velocity), plane.normal.dot(&flight::acceleration(me, field)));
     let Some(vibration) = plane.vibration else {
-        return match flight::plate(me, field) {
-            None => root::plane(mean, v, a).map_or(Found::Nothing, Found::Event),
-            Some(_) => shaken(scene, me, plane, S::zero(), limit),
+        return match shaking_along(scene, me, &plane.normal) > S::zero() {
+            false => root::plane(mean, v, a).map_or(Found::Nothing, Found::Event),
+            true => shaken(scene, me, plane, S::zero(), limit),
         };
     };
     // Above the plate's highest place there is nothing to touch.
     let top = vibration.amplitude.magnitude();
-    if mean > top && flight::plate(me, field).is_none() {
+    if mean > top && !(shaking_along(scene, me, &plane.normal) > S::zero()) {
         return match root::plane(mean - top, v, a) {
             Some(from) if from <= limit => shaken(scene, me, plane, from, limit),
             _ => Found::Nothing,
@@ -95,7 +98,8 @@ fn shaken<S: Scalar, const D: usize>(
 ) -> Found<S> {
     let field = scene.field();
     let a = plane.normal.dot(&flight::acceleration(me, field)).magnitude();
-    let shaking = plane.vibration.map_or(S::zero(), |v| v.peak_acceleration()) + shaking(scene, me);
+    let shaking = plane.vibration.map_or(S::zero(), |v| v.peak_acceleration())
+        + shaking_along(scene, me, &plane.normal);
     let bound = (a + shaking).larger(weak(me.radius, limit));
     let found = Search::new(bound, me.radius, limit - from).first(|t| {
         let then = scene.now + (from + t);
@@ -115,7 +119,15 @@ pub(super) fn take_off<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     me: &Body<S, D>,
 ) -> Found<S> {
-    let Some(plate) = flight::plate(me, scene.field()) else { return Found::Nothing };
+    let leaves = flight::plates(me, scene.field()).map(|plate| falls_away(scene, plate));
+    leaves.fold(Found::Nothing, |first, next| match (first, next) {
+        (Found::Nothing, found) | (found, Found::Nothing) => found,
+        (a, b) if b.span() < a.span() => b,
+        (a, _) => a,
+    })
+}
+
+fn falls_away<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, plate: &Plane<S, D>) -> Found<S> {
     let Some(vibration) = plate.vibration else { return Found::Nothing };
     let falls = plate.normal.dot(&scene.gravity);
     let (omega, peak) = (vibration.angular_frequency(), vibration.peak_acceleration());
@@ -135,8 +147,20 @@ pub(super) fn take_off<S: Scalar, const D: usize>(
 
 /// The size of the acceleration that the plate carrying a body can give it; 0 if none does.
 pub(super) fn shaking<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -> S {
-    let vibration = flight::plate(me, scene.field()).and_then(|plate| plate.vibration);
-    vibration.map_or(S::zero(), |v| v.peak_acceleration())
+    let vibrations = flight::plates(me, scene.field()).filter_map(|plate| plate.vibration);
+    vibrations.fold(S::zero(), |sum, v| sum + v.peak_acceleration())
+}
+
+/// The same along a direction.
+fn shaking_along<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+    n: &Vector<S, D>,
+) -> S {
+    flight::plates(me, scene.field()).fold(S::zero(), |sum, plate| {
+        let peak = plate.vibration.map_or(S::zero(), |v| v.peak_acceleration());
+        sum + peak * plate.normal.dot(n).magnitude()
+    })
 }
 
 /// Whether a plate shakes the body along an axis.
@@ -145,8 +169,8 @@ pub(super) fn is_shaken<S: Scalar, const D: usize>(
     me: &Body<S, D>,
     axis: usize,
 ) -> bool {
-    let plate = flight::plate(me, scene.field());
-    plate.and_then(|p| p.normal.get(axis)).is_some_and(|&n| n != S::zero())
+    let mut plates = flight::plates(me, scene.field());
+    plates.any(|p| p.normal.get(axis).is_some_and(|&n| n != S::zero()))
 }
 
 /// When a body that a plate carries crosses a face of its cell, now at this distance.

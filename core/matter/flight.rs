@@ -38,18 +38,18 @@ pub fn acceleration<S: Scalar, const D: usize>(
     held
 }
 
-/// The vibrating plate that carries a body, if one does.
-pub fn plate<'a, S: Scalar, const D: usize>(
+/// The vibrating plates that carry a body: more than one in a corner.
+pub fn plates<'a, S: Scalar, const D: usize>(
     body: &Body<S, D>,
     field: Field<'a, S, D>,
-) -> Option<&'a Plane<S, D>> {
+) -> impl Iterator<Item = &'a Plane<S, D>> {
+    let on = if body.is_held() { body.planes } else { 0 };
     let planes = field.boundary.planes().iter().enumerate();
-    let mut vibrating = planes.filter(|(_, plane)| plane.vibration.is_some());
-    if body.is_held() {
-        vibrating.find(|&(p, _)| body.rests_on(p)).map(|(_, plane)| plane)
-    } else {
-        None
-    }
+    let carries =
+        move |p: usize| u32::try_from(p).is_ok_and(|p| on.checked_shr(p).unwrap_or(0) & 1 == 1);
+    planes
+        .filter(move |&(p, plane)| plane.vibration.is_some() && carries(p))
+        .map(|(_, plane)| plane)
 }
 
 /// The body at time `now`, its clock set there; everything else as it was: r + v t + g t²/2.
@@ -62,15 +62,14 @@ pub fn at<S: Scalar, const D: usize>(
     if !body.is_held() {
         return fly(body, field.gravity, span, now);
     }
-    let Some(plate) = plate(body, field) else {
-        return fly(body, &acceleration(body, field), span, now);
-    };
-    // Along the normal it moves as the plate does, not by a velocity of its own: rounding cannot add up.
-    let (then, later, n) = (plate.motion(body.clock), plate.motion(now), &plate.normal);
-    let across = Body { velocity: body.velocity - n * n.dot(&body.velocity), ..*body };
-    let mut there = fly(&across, &acceleration(body, field), span, now);
-    there.position += n * (later.place - then.place);
-    there.velocity += n * later.speed;
+    let mut there = fly(body, &acceleration(body, field), span, now);
+    for plate in plates(body, field) {
+        // Along the normal it moves as the plate does, not by a velocity of its own: rounding cannot add up.
+        let (then, later, n) = (plate.motion(body.clock), plate.motion(now), &plate.normal);
+        let speed = n.dot(&body.velocity);
+        there.position += n * ((later.place - then.place) - speed * span);
+        there.velocity += n * (later.speed - speed);
+    }
     there
 }
 

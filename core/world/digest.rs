@@ -62,6 +62,8 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
         fnv.word(ticks.1);
         fnv.number(self.scene.now);
         fnv.vector(&self.scene.gravity);
+        let plates = self.scene.boundary.planes().iter().filter_map(|plane| plane.vibration);
+        plates.for_each(|plate| fnv.number(plate.at(self.scene.now).place));
         self.scene.bodies.iter().for_each(|body| fnv.body(body));
         self.queue.slots.iter().for_each(|slot| fnv.slot(slot));
         fnv.0

@@ -86,8 +86,9 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         let mut world = setup.release(saved.release).tc(saved.t_c).build()?;
         world.scene.bodies.copy_from_slice(bodies);
         world.scene.now = saved.now;
-        world.scene.take_grid(saved.grid)?;
         world.scene.epoch = saved.epoch;
+        world.scene.boundary.start_epoch(saved.epoch);
+        world.scene.take_grid(saved.grid)?;
         world.scene.counters = saved.counters;
         (world.since_epoch, world.at_once) = (saved.since_epoch, saved.at_once);
         world.mark = saved.mark;

@@ -2,6 +2,7 @@
 
 mod conservation;
 mod contact;
+mod corners;
 mod faults;
 mod gas;
 mod plates;
