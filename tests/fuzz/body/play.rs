@@ -10,7 +10,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 /// Steps that one input may take in all.
-const STEPS: u32 = 1500;
+const STEPS: u32 = 600;
 /// How often one input may be saved and taken up again.
 const RESTORES: u8 = 6;
 
@@ -69,17 +69,19 @@ fn steps<S: Scalar, const D: usize>(
     Ok(())
 }
 
-/// Goes to the next event or part of the way there.
+/// Goes to the next event or part of the way there. Not while many happen at one instant: this would
+/// take them all.
 fn advance<S: Scalar, const D: usize>(
     world: &mut Any<'_, '_, S, D>,
     part: f64,
     judge: &mut Judge,
 ) -> Result<(), Fault> {
     let now = world.now();
-    let Some(next) = world.next_event_time().filter(|next| *next >= now) else { return Ok(()) };
+    let Some(next) = world.next_event_time().filter(|next| *next > now) else { return Ok(()) };
     let to = if part < 1.0 { now + Instant::from(next.since::<f64>(now) * part) } else { next };
-    judge.steps += 8;
+    let before = world.counters().events();
     world.advance_to(to)?;
+    judge.steps += u32::try_from(world.counters().events() - before).unwrap_or(STEPS) + 1;
     assert!(world.now() <= to, "asked for {to}, is {}", world.now());
     judge.clock(world.now());
     Ok(())

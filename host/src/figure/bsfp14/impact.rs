@@ -13,7 +13,7 @@ const GRAINS: usize = 13_500;
 
 /// Makes the figure: one histogram for each density and coefficient of restitution.
 pub fn make(options: &Options) -> Result<Made> {
-    let collisions = if options.full { 1_000_000_000 } else { 250_000 };
+    let collisions = if options.full { 1_000_000_000 } else { 150_000 };
     let seen = gas::all("bsfp14-3", GRAINS, [&DENSITIES, &RESTITUTIONS], collisions)?;
     let axes = ["|r| − σ [floating-point numbers from σ]", "share of impacts"];
     let mut figure = Figure::new("bsfp14-3", axes);

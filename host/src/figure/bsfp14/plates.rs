@@ -83,7 +83,7 @@ pub fn make(options: &Options) -> Result<Made> {
     figure = figure.with(series(named, &engine, plates.len()));
     notes.push(note(named, &engine, plates.len()));
     let look = Look::new("A bouncing ball on 10^{6} plates: when does detection end?")
-        .scales(Scale::LINEAR.from(24.0, 34.0), Scale::LOG.from(1e-6, 2.0))
+        .scales(Scale::LINEAR.from(22.0, 34.0), Scale::LOG.from(1e-6, 2.0))
         .kinds(&[Kind::Both])
         .mark(Mark::Place(30.0, "paper: halts after about 30".to_owned()));
     let picture = draw::draw(&figure, &look);
@@ -94,7 +94,11 @@ pub fn make(options: &Options) -> Result<Made> {
 fn series([method, form, flight]: [&str; 3], sum: &Sum, plates: usize) -> Series {
     let naive = method == "naive";
     let (shown, verb) = if naive { (&sum.halts, "halts") } else { (&sum.rests, "rests") };
-    let mut series = Series::new(format!("{method} {verb}: {form}"))
+    let name = match method {
+        "engine" => "engine rests".to_owned(),
+        _ => format!("{method} {verb}: {form}"),
+    };
+    let mut series = Series::new(name)
         .param("method", method)
         .param("overlap_function", form)
         .param("flight", flight)

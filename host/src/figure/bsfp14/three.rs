@@ -11,7 +11,7 @@ const GRAINS: usize = 1_372;
 
 /// Makes the figure: one curve for each density, over the coefficient of restitution.
 pub fn make(options: &Options) -> Result<Made> {
-    let collisions = if options.full { 1_000_000_000 } else { 400_000 };
+    let collisions = if options.full { 1_000_000_000 } else { 150_000 };
     let seen = gas::all("bsfp14-5", GRAINS, [&DENSITIES, &RESTITUTIONS], collisions)?;
     let axes = ["coefficient of restitution ε", "three-body impacts per impact"];
     let mut figure = Figure::new("bsfp14-5", axes);

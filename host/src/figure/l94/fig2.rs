@@ -72,6 +72,7 @@ pub fn make_a(_: &Options) -> Result<Made> {
     let look = Look::new("A column of 10 beads at a wall, ε = 0.9 (L94 Fig. 2a)")
         .labels("σ = *s*_{0}/(*v*_{0} *t*_{c})", "ε_{eff}")
         .scales(Scale::LOG.from(5e-4, 2e3), Scale::LINEAR.from(0.0, 1.05))
+        .kinds(&[Kind::Both, Kind::Line, Kind::Dots])
         .mark(Mark::Level(0.341, "paper: ED, 0.341".to_owned()));
     let picture = draw::draw(&figure, &look);
     let notes = notes_a(&figure)?;
@@ -171,11 +172,15 @@ pub fn make_b(options: &Options) -> Result<Made> {
     }
     let slope = |eps: f64| {
         let md = figure.find(&[("method", "MD".into()), ("eps", eps.into())]);
-        md.map_or(f64::NAN, |series| super::fit::slope(&series.x[1..], &series.y[1..]))
+        let of = |from: usize| {
+            let fitted = |s: &Series| super::fit::slope(&s.x[from..], &s.y[from..]);
+            md.map_or(f64::NAN, fitted)
+        };
+        format!("{:.3} (N ≥ 2), {:.3} (N ≥ 50)", of(1), of(5))
     };
     let notes = vec![
-        Note::new("slope of MD, ε = 0.6", "-0.5", format!("{:.3}", slope(0.6))),
-        Note::new("slope of MD, ε = 0.975", "-0.315", format!("{:.3}", slope(0.975))),
+        Note::new("slope of MD, ε = 0.6", "-0.5", slope(0.6)),
+        Note::new("slope of MD, ε = 0.975", "-0.315", slope(0.975)),
         Note::new("MD, N = 10, ε = 0.9", "not given", format!("{:.5}", at(&figure, "MD", 0.9))),
         Note::new("ED, N = 10, ε = 0.9", "0.659", format!("{:.5}", at(&figure, "ED", 0.9))),
         Note::new("eMD*, N = 10, ε = 0.9", "not given", format!("{:.5}", at(&figure, "eMD*", 0.9))),
@@ -184,16 +189,19 @@ pub fn make_b(options: &Options) -> Result<Made> {
     let look = Look::new("Beads in contact hit a wall (L94 Fig. 2b)")
         .labels("*N*", "1 − ε_{eff}")
         .scales(Scale::LOG, Scale::LOG)
-        .mark(line(-0.5, 0.2179, "paper: slope −0.5"))
-        .mark(line(-0.315, 0.01396, "paper: slope −0.315"));
+        .mark(line(&figure, 0.6, -0.5))
+        .mark(line(&figure, 0.975, -0.315));
     let picture = draw::draw(&figure, &styled(look));
     Ok(Made { figure, picture, notes })
 }
 
-/// A power law through its value at N = 2.
-fn line(slope: f64, at_two: f64, name: &str) -> Mark {
-    let point = |n: f64| [n, at_two * (n / 2.0).powf(slope)];
-    Mark::Curve(vec![point(2.0), point(100.0)], name.to_owned())
+/// The paper's power law, through MD's value at N = 100.
+fn line(figure: &Figure, eps: f64, slope: f64) -> Mark {
+    let md = figure.find(&[("method", "MD".into()), ("eps", eps.into())]);
+    let last = md.and_then(|series| series.y.last()).copied().unwrap_or(f64::NAN);
+    let point = |n: f64| [n, last * (n / 100.0).powf(slope)];
+    let name = format!("paper: slope {slope}").replace('-', "−");
+    Mark::Curve(vec![point(5.0), point(100.0)], name)
 }
 
 fn at(figure: &Figure, method: &str, eps: f64) -> f64 {

@@ -25,7 +25,8 @@ pub const fn wide(sigma: f64, tangential: f64, seed: u64) -> Layer {
 /// # Errors
 /// What a run says.
 pub fn make_a(options: &Options) -> Result<Made> {
-    let (last, seeds, patience) = if options.full { (6, 10, 260.0) } else { (4, 3, 40.0) };
+    let (last, seeds, patience) =
+        if options.full { (6, 10, [260.0, 100.0]) } else { (4, 3, [40.0, 20.0]) };
     let sigmas: Vec<f64> = (-6..=last).map(|k| 10f64.powf(0.5 * f64::from(k))).collect();
     let progress = Progress::new("l94-4a", (TANGENTIAL.len() * sigmas.len()) as u64 * seeds);
     let mut figure = Figure::new("l94-4a", ["σ = s0/(v0 t_c)", "ε_eff"]);
@@ -100,7 +101,7 @@ pub fn make_b(options: &Options) -> Result<Made> {
     let mut figure = Figure::new("l94-4b", ["h (rows)", "1 - ε_eff"]);
     for (eps, tangential) in runs {
         let one = |&rows: &usize| {
-            let found = touching(rows, eps, tangential).collide(steps, 10.0 * rows as f64);
+            let found = touching(rows, eps, tangential).collide(steps, [2.0, 20.0]);
             progress.add(1);
             found
         };

@@ -3,7 +3,8 @@
 use super::panels::{self, Diagram};
 use super::shaken::Shaken;
 use crate::figure::{Figure, Made, Note, Options, Progress, Series};
-use anyhow::Result;
+use anyhow::{Result, ensure};
+use carom::event::Counters;
 
 const BEADS: usize = 10;
 const DIAMETER: f64 = 1e-3;
@@ -37,12 +38,16 @@ pub fn make(options: &Options) -> Result<Made> {
     let (mut diagrams, mut notes) = (Vec::new(), Vec::new());
     for method in ["MD", "ED", "eMD*"] {
         for contact_time in CONTACT_TIMES {
-            let heights = match method {
-                "ED" => column(contact_time).by_ed(&times)?.0,
-                "eMD*" => column(contact_time).by_star(&times)?.0,
-                _ => column(contact_time).by_md(&times, 50.0)?,
+            let (heights, events) = match method {
+                "ED" => column(contact_time).by_ed(&times)?,
+                "eMD*" => column(contact_time).by_star(&times)?,
+                _ => (column(contact_time).by_md(&times, 50.0)?, Counters::default()),
             };
+            ensure!(!heights.is_empty(), "{method}: too many events before the first sample");
             notes.push(note(method, contact_time, &heights));
+            if method != "MD" {
+                notes.push(told(method, contact_time, &events, times[heights.len() - 1]));
+            }
             let mut curves = Vec::new();
             for bead in 0..BEADS {
                 let series = series(method, contact_time, bead, &times, &heights);
@@ -71,6 +76,16 @@ fn series(method: &str, t_c: f64, bead: usize, times: &[f64], heights: &[Vec<f64
         series.push(*t, row[bead] - (bead as f64 + 0.5) * DIAMETER);
     }
     series
+}
+
+/// What the engine counted until it ended.
+fn told(method: &str, contact_time: f64, counters: &Counters, end: f64) -> Note {
+    let Counters { collisions, plane_collisions, rests, collapses, interrupted, .. } = counters;
+    let ours = format!(
+        "{collisions} collisions, {plane_collisions} with the plate, {interrupted} interrupted, \
+         {rests} rests, {collapses} ends of a collapse, until {end:.3} s"
+    );
+    Note::new(format!("{method}, t_c = {contact_time:e} s: events"), "not given", ours)
 }
 
 /// How far the column is stretched: the gaps' sum, in diameters, on average and at most.

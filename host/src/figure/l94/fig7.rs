@@ -4,7 +4,7 @@ use super::fit;
 use super::shaken::{GRAVITY, Shaken};
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};
 use crate::figure::{Figure, Made, Note, Options, Progress, Series};
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -14,9 +14,9 @@ const FREQUENCY: f64 = 20.0;
 const RESTITUTION: f64 = 0.92;
 const CONTACT_TIME: f64 = 1e-4;
 /// Reduced accelerations.
-pub const AGITATIONS: [f64; 8] = [5.0, 7.5, 10.0, 12.5, 15.0, 20.0, 25.0, 30.0];
+pub const AGITATIONS: [f64; 6] = [5.0, 7.5, 10.0, 15.0, 20.0, 30.0];
 /// Periods before averaging begins.
-const TRANSIENT: usize = 60;
+const TRANSIENT: usize = 200;
 const SAMPLES_PER_PERIOD: usize = 12;
 /// Parts of a run that count as independent.
 const BLOCKS: usize = 16;
@@ -56,6 +56,7 @@ pub fn risen(method: &str, agitation: f64, periods: usize) -> Result<[f64; 2]> {
         "eMD*" => column.by_star(&times)?.0,
         _ => column.by_md(&times, 50.0)?,
     };
+    ensure!(heights.len() == samples, "{method}: too many events at α = {agitation}");
     let rest = 0.5 * BEADS as f64 * DIAMETER;
     let centre = |row: &Vec<f64>| row.iter().sum::<f64>() / BEADS as f64 - rest;
     let all: Vec<f64> = heights[TRANSIENT * SAMPLES_PER_PERIOD..].iter().map(centre).collect();
@@ -69,7 +70,7 @@ pub fn risen(method: &str, agitation: f64, periods: usize) -> Result<[f64; 2]> {
 /// # Errors
 /// What a method says.
 pub fn make(options: &Options) -> Result<Made> {
-    let periods = if options.full { 10_000 } else { 1_600 };
+    let periods = if options.full { 20_000 } else { 2_400 };
     let methods = ["MD", "ED", "eMD*"];
     let progress = Progress::new("l94-7", (methods.len() * AGITATIONS.len()) as u64);
     let mut figure = Figure::new("l94-7", ["α = A0 ω²/g", "h_cm - h_cm0 (m)"]);

@@ -1,7 +1,7 @@
 //! What becomes of a layer of grains in two dimensions that hits a wall? Reads rows and gaps; writes ε_eff, by MD (L94 Sec. IV C).
 
 use crate::reference::{
-    Boundary, End, ForceLaw, Gear, Grain, Plate, Quiet, ReferenceError, Stop, System, VerletOptions,
+    Boundary, End, ForceLaw, Gear, Grain, Plate, Quiet, ReferenceError, System, VerletOptions,
 };
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -86,11 +86,17 @@ impl Layer {
     /// Lets the layer hit the wall and returns ε_eff = √(E_f/E_0).
     ///
     /// It is over when there has been no contact for `patience` times the time in which a grain
-    /// passes one gap, or one contact time where that is longer; the paper takes 2N.
+    /// passes one gap (or one contact time, where that is longer), or after `longest` times that
+    /// for each row: grains side by side in a periodic box never cease to touch. The paper has
+    /// a patience of 2N, and no longest time.
     ///
     /// # Errors
-    /// As [`Gear::advance_to`], and for a layer that does not come to an end.
-    pub fn collide(&self, steps: f64, patience: f64) -> Result<f64, ReferenceError> {
+    /// As [`Gear::advance_to`].
+    pub fn collide(
+        &self,
+        steps: f64,
+        [patience, longest]: [f64; 2],
+    ) -> Result<f64, ReferenceError> {
         let grain = |position: [f64; 2]| Grain {
             radius: 0.5 * self.diameter,
             mass: 1.0,
@@ -104,12 +110,8 @@ impl Layer {
         let options = VerletOptions { steps_per_contact: steps, ..VerletOptions::default() };
         let mut run = Gear::new(&system, self.law()?, End::Overlap, options)?;
         let flight = (self.gap / self.speed).max(self.contact_time);
-        let interval = patience * flight;
-        let limit = 100.0 * self.rows as f64 * flight + 100.0 * interval;
-        if run.advance_until_quiet(Quiet { interval, limit })? == Stop::Limit {
-            let why = "the layer does not come to an end";
-            return Err(ReferenceError::Unresolved { time: run.now(), grain: 0, why });
-        }
+        let limit = longest * self.rows as f64 * flight;
+        run.advance_until_quiet(Quiet { interval: patience * flight, limit })?;
         let energy: f64 =
             run.grains().iter().map(|g| g.velocity.iter().map(|v| v * v).sum::<f64>()).sum();
         Ok((energy / system.grains().len() as f64).sqrt() / self.speed)
