@@ -5,4 +5,5 @@ mod divergence;
 mod fig6;
 mod fluid;
 mod haff;
+mod l94;
 mod soak;

@@ -70,7 +70,7 @@ pub fn risen(method: &str, agitation: f64, periods: usize) -> Result<[f64; 2]> {
 /// # Errors
 /// What a method says.
 pub fn make(options: &Options) -> Result<Made> {
-    let periods = if options.full { 20_000 } else { 2_400 };
+    let periods = if options.full { 20_000 } else { 1_600 };
     let methods = ["MD", "ED", "eMD*"];
     let progress = Progress::new("l94-7", (methods.len() * AGITATIONS.len()) as u64);
     let mut figure = Figure::new("l94-7", ["α = A0 ω²/g", "h_cm - h_cm0 (m)"]);
@@ -89,7 +89,7 @@ pub fn make(options: &Options) -> Result<Made> {
     let curve = (8..=64).map(|k| 0.5 * f64::from(k)).map(|a| [a, theory(a)]).collect();
     let look = Look::new("A shaken column: *N* = 10, ε = 0.92, *f* = 20 Hz (L94 Fig. 7)")
         .labels("α = *A*_{0}ω^{2}/*g*", "*h*_{cm} − *h*_{cm0} [m]")
-        .scales(Scale::LOG.from(4.0, 36.0), Scale::LOG)
+        .scales(Scale::LINEAR.from(0.0, 32.0), Scale::LINEAR)
         .kinds(&[Kind::Dots])
         .mark(Mark::Curve(curve, "paper: Eq. (10)".to_owned()));
     let picture = draw::draw(&figure, &look);
