@@ -1,6 +1,7 @@
 //! What happens when a grain touches a plane? Reads the grain, the plane and the rule; writes the grain.
 
-use super::apply::{Affected, Deed, ask, unbroken, without};
+use super::apply::{Affected, Deed, ask, without};
+use super::contact::unbroken;
 use super::scene::Scene;
 use super::{bounce, rest};
 use crate::fault::Fault;
@@ -93,12 +94,13 @@ fn contact<S: Scalar, const D: usize>(
         None => S::zero(),
     };
     let hold = along - n.dot(&scene.gravity) * outcome.duration * S::half();
+    let velocity = without(&body.velocity, n) + n * hold;
     let bound = Body {
         position,
-        velocity: without(&body.velocity, n) + n * hold,
+        velocity,
         release: n * (later.speed + speed * outcome.restitution),
         release_at,
-        moment: unbroken(scene.now, outcome.duration),
+        moment: unbroken(scene.now, outcome.duration, (body.radius, &velocity)),
         partner: Partner::plane(p),
         ..*body
     };

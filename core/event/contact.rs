@@ -1,0 +1,65 @@
+//! How does a lasting contact begin? Reads two bodies and an outcome; writes both, turned and bound (E^φ).
+
+use super::apply::{Affected, Deed};
+use super::scene::Scene;
+use super::turn::Touch;
+use super::{bounce, rest};
+use crate::fault::Fault;
+use crate::law::Outcome;
+use crate::matter::{Body, Partner};
+use crate::number::{Scalar, Vector};
+
+/// Until when a contact that begins now cannot be ended by a third body: a 64th of its duration, or,
+/// if that is less, until the grain has flown a 64th of its radius.
+///
+/// Meanwhile a third body may sink in by v τ/64, a fraction of what it would in a real contact.
+pub(super) fn unbroken<S: Scalar, const D: usize>(
+    now: S,
+    duration: S,
+    (radius, velocity): (S, &Vector<S, D>),
+) -> S {
+    let part = S::from_f32(1.0 / 64.0);
+    let (far, speed) = (radius * part, velocity.dot(velocity).sqrt());
+    let brief = duration * part;
+    now + if speed * brief > far { far / speed } else { brief }
+}
+
+/// E^φ: the line of centres turns, both grains take the velocity of their centre of mass, and what
+/// they will have after the contact is kept for E^v (MP13 §VI.B.2).
+pub(super) fn begins<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    who: [usize; 2],
+    pair: &[Body<S, D>; 2],
+    (touch, outcome): (&Touch<S, D>, &Outcome<S>),
+    affected: &mut Affected,
+) -> Result<Deed<S>, Fault> {
+    let [a, b] = pair;
+    let [i, k] = who;
+    let (separation, velocity) = touch.after(a.radius + b.radius, outcome);
+    let mass = a.mass + b.mass;
+    let (share_a, share_b) = (b.mass / mass, -(a.mass / mass));
+    let moved = separation - scene.separation(a, b);
+    let (at_a, at_b) = (a.position + moved * share_a, b.position + moved * share_b);
+    if !(scene.is_free(i, at_a, Partner::grain(k)) && scene.is_free(k, at_b, Partner::grain(i))) {
+        scene.counters.rotation_refused += 1;
+        return bounce::grains(scene, who, pair, touch, (outcome.restitution, false), affected);
+    }
+    let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / mass);
+    let bound = |body: &Body<S, D>, position, share, partner| Body {
+        position,
+        velocity: centre,
+        release: velocity * share,
+        release_at: scene.now + outcome.duration,
+        moment: unbroken(scene.now, outcome.duration, (body.radius, &centre)),
+        partner: Partner::grain(partner),
+        ..body.let_go()
+    };
+    let (bound_a, bound_b) = (bound(a, at_a, share_a, k), bound(b, at_b, share_b, i));
+    for (x, body, bound) in [(i, a, bound_a), (k, b, bound_b)] {
+        scene.relocate(x, bound);
+        if body.is_held() {
+            rest::wakes(scene, x, affected);
+        }
+    }
+    Ok(Deed::Contact(*outcome))
+}
