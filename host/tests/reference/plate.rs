@@ -106,5 +106,6 @@ fn a_shaken_bead_by_both_integrators() {
         (gear.position(0)[0] - exact.position(0)[0]).abs()
     };
     let [coarse, fine] = [error(25.0), error(400.0)];
-    assert!(fine < 1e-6 && fine < 0.5 * coarse, "{coarse:e} {fine:e}");
+    // Sixteen times the steps: 256 times closer at second order, which the ends of contacts limit it to.
+    assert!(fine < 1e-5 && fine < coarse / 100.0, "{coarse:e} {fine:e}");
 }
