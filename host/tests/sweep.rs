@@ -170,7 +170,7 @@ fn kill_until_done(file: &Path, out: &Path) -> usize {
 
 #[test]
 fn a_killed_sweep_goes_on_where_it_stopped() {
-    let (folder, file) = folder(SCENARIO, &SWEEP.replace("count = 5", "count = 25"));
+    let (folder, file) = folder(SCENARIO, &SWEEP.replace("count = 5", "count = 200"));
     let [whole, killed] = ["whole.parquet", "killed.parquet"].map(|name| folder.path().join(name));
     sweep(&Plan::read(&file).unwrap(), [1, 1], &whole).unwrap();
     assert!(kill_until_done(&file, &killed) >= 2, "it was never killed");
