@@ -76,9 +76,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         if let Some(now) = &self.now
             && (now.is_held() || other.is_held())
         {
-            let found = touch::held(scene, now, &scene.present(k), self.limit(slot));
-            let from = not_before(me).larger(not_before(other));
-            return self.found(slot, found, from, Partner::grain(k));
+            return self.held(slot, k, [now, other]);
         }
         if let Some(time) = touch::flying(scene, [me, other], image)
             && time <= slot.meeting
@@ -91,7 +89,17 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         }
     }
 
+    /// The same if one of the two is held.
+    #[inline(never)]
+    fn held(&self, slot: &mut Slot<S>, k: usize, [now, other]: [&Body<S, D>; 2]) {
+        let scene = self.scene;
+        let found = touch::held(scene, now, &scene.present(k), self.limit(slot));
+        let from = not_before(self.me).larger(not_before(other));
+        self.found(slot, found, from, Partner::grain(k));
+    }
+
     /// A meeting with grain `k` was put off, and now they have passed each other, or approach still.
+    #[cold]
     fn missed(&self, slot: &mut Slot<S>, k: usize) {
         let [me, other] = [self.grain, k].map(|i| self.scene.present(i));
         let apart = self.scene.separation(&me, &other);
@@ -195,8 +203,8 @@ fn crossing<S: Scalar, const D: usize>(
     }
     let (position, velocity) = flight::free(body, scene.field(), scene.now);
     let at = grid.coordinates(body.cell);
-    let motion = position.iter().zip(velocity.iter()).zip(scene.gravity.iter());
-    for (axis, ((&x, &v), &a)) in motion.enumerate() {
+    let [x, v, a]: [[S; D]; 3] = [position, velocity, scene.gravity].map(Into::into);
+    for (axis, ((&x, &v), &a)) in x.iter().zip(&v).zip(&a).enumerate() {
         let [low, high] = grid.faces(&at, axis, x);
         if a == S::zero() {
             let (gap, up) = if v < S::zero() { (low, false) } else { (high, true) };

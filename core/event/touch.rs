@@ -35,6 +35,7 @@ pub(super) fn flying<S: Scalar, const D: usize>(
 }
 
 /// What the separation of two bodies lacks to that of the images which are nearest now.
+#[inline(never)]
 fn near_image<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     me: &Body<S, D>,

@@ -117,7 +117,9 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         let Some((_, digits)) = digits.split_first_mut() else { return };
         loop {
             let (mut row, mut image) = (0_u32, Vector::<S, D>::zeros());
-            for ((step, &digit), x) in across.iter().zip(&*digits).zip(image.iter_mut().skip(1)) {
+            for ((step, &digit), x) in
+                across.iter().zip(&*digits).zip(image.as_mut_slice().iter_mut().skip(1))
+            {
                 let &(term, turn) = step.get(digit).unwrap_or(&(NOWHERE, S::zero()));
                 // Stays NOWHERE once it is.
                 row = row.saturating_add(term);
@@ -144,7 +146,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         for &(term, turn) in along {
             let cell = row.saturating_add(term) as usize;
             let mut grain = self.heads.get(cell).map_or(END, |&head| head);
-            if let Some(x) = image.get_mut(0) {
+            if let Some(x) = image.as_mut_slice().first_mut() {
                 *x = turn;
             }
             while grain != END {

@@ -96,12 +96,12 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// Whether every lane can be counted with: a grid may have been read from a file.
     pub(super) fn is_sound(&self) -> bool {
         let sound = |l: &Lane<S>| l.count > 0 && l.count <= 1 << 20 && l.width > S::zero();
-        self.lanes.iter().all(sound)
+        self.lanes.as_slice().iter().all(sound)
     }
 
     /// Whether it is a grid for this box and grains of this diameter.
     pub(crate) fn fits(&self, boundary: &Boundary<S, D>, reach: S) -> bool {
-        self.lanes.iter().enumerate().all(|(axis, lane)| {
+        self.lanes.as_slice().iter().enumerate().all(|(axis, lane)| {
             let length = lane.width * S::from_f64(f64::from(lane.count));
             let same = match boundary.periodic(axis) {
                 Some(p) => {
@@ -122,21 +122,23 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     pub(crate) fn holds(&self, cell: u32, position: &Vector<S, D>) -> bool {
         let at = self.coordinates(cell);
         (cell as usize) < self.cells()
-            && self.lanes.iter().zip(position.iter()).enumerate().all(|(axis, (lane, &x))| {
-                let near = -lane.width * S::from_f32(1e-3);
-                self.faces(&at, axis, x).into_iter().flatten().all(|gap| gap >= near)
-            })
+            && self.lanes.as_slice().iter().zip(position.iter()).enumerate().all(
+                |(axis, (lane, &x))| {
+                    let near = -lane.width * S::from_f32(1e-3);
+                    self.faces(&at, axis, x).into_iter().flatten().all(|gap| gap >= near)
+                },
+            )
     }
 
     /// How many cells there are.
     pub(crate) fn cells(&self) -> usize {
-        self.lanes.iter().fold(1, |n: usize, lane| n.saturating_mul(lane.count as usize))
+        self.lanes.as_slice().iter().fold(1, |n: usize, lane| n.saturating_mul(lane.count as usize))
     }
 
     /// The cell of a position inside the box.
     pub(crate) fn locate(&self, position: &Vector<S, D>) -> u32 {
         let mut cell = 0;
-        for (lane, &x) in self.lanes.iter().zip(position.iter()).rev() {
+        for (lane, &x) in self.lanes.as_slice().iter().zip(position.iter()).rev() {
             cell = cell * lane.count + lane.index(x);
         }
         cell
@@ -145,7 +147,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// A cell's numbers along the axes.
     pub(crate) fn coordinates(&self, mut cell: u32) -> [u32; D] {
         let mut at = [0; D];
-        for (c, lane) in at.iter_mut().zip(self.lanes.iter()) {
+        for (c, lane) in at.iter_mut().zip(self.lanes.as_slice().iter()) {
             *c = cell % lane.count;
             cell /= lane.count;
         }
@@ -157,7 +159,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     pub(super) fn steps(&self, at: &[u32; D]) -> [[Step<S>; 3]; D] {
         let (mut scale, zero) = (1, S::zero());
         let mut steps = [[(NOWHERE, zero); 3]; D];
-        for ((step, &c), lane) in steps.iter_mut().zip(at).zip(self.lanes.iter()) {
+        for ((step, &c), lane) in steps.iter_mut().zip(at).zip(self.lanes.as_slice().iter()) {
             let to = |c: Option<u32>, turn| c.map_or((NOWHERE, zero), |c| (c * scale, turn));
             let first = if c == 0 { lane.length } else { zero };
             let last = if c + 1 == lane.count { -lane.length } else { zero };
@@ -169,14 +171,14 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
 
     /// The number of the cell with these coordinates.
     fn number(&self, at: &[u32; D]) -> u32 {
-        let cells = at.iter().zip(self.lanes.iter()).rev();
+        let cells = at.iter().zip(self.lanes.as_slice().iter()).rev();
         cells.fold(0, |number, (&c, lane)| number * lane.count + c)
     }
 
     /// The distances from a position to the lower and upper face of its cell along an axis; none where
     /// the cell reaches to infinity.
     pub(crate) fn faces(&self, at: &[u32; D], axis: usize, x: S) -> [Option<S>; 2] {
-        let (Some(&c), Some(lane)) = (at.get(axis), self.lanes.get(axis)) else {
+        let (Some(&c), Some(lane)) = (at.get(axis), self.lanes.as_slice().get(axis)) else {
             return [None, None];
         };
         let face = |c: u32| lane.low + lane.width * S::from_f64(f64::from(c));
@@ -188,7 +190,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// The cell after a stride, and by how many box lengths along the axis the position must be moved.
     pub(crate) fn stride(&self, cell: u32, stride: Stride) -> Option<(u32, S)> {
         let mut at = self.coordinates(cell);
-        let (c, lane) = (at.get_mut(stride.axis)?, self.lanes.get(stride.axis)?);
+        let (c, lane) = (at.get_mut(stride.axis)?, self.lanes.as_slice().get(stride.axis)?);
         let moved = if stride.up { lane.above(*c)? } else { lane.below(*c)? };
         let turns = match (stride.up, moved) {
             (true, 0) => -S::one(),

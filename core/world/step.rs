@@ -121,16 +121,16 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// visibly, by 2^−48 of the world's age, are a fault.
     fn move_clock(&mut self, grain: usize, slot: &Slot<S>) -> Result<(), Fault> {
         self.scene.now = self.scene.now.larger(slot.time);
-        let at = self.now();
-        if at.since::<f64>(self.mark) > at.as_f64() * VISIBLE {
-            self.mark = at;
-            self.at_once = 0;
-        }
+        self.at_once = self.at_once.saturating_add(1);
         let grains = u32::try_from(self.scene.bodies.len()).unwrap_or(u32::MAX);
-        if self.at_once >= EVENTS_AT_ONCE.saturating_mul(grains) {
-            return Err(Fault::Stuck { grain, with: slot.with(), at, events: self.at_once });
+        if self.at_once <= EVENTS_AT_ONCE.saturating_mul(grains) {
+            return Ok(());
         }
-        self.at_once += 1;
+        let (at, events) = (self.now(), self.at_once);
+        if !(at.since::<f64>(self.mark) > at.as_f64() * VISIBLE) {
+            return Err(Fault::Stuck { grain, with: slot.with(), at, events });
+        }
+        (self.mark, self.at_once) = (at, 0);
         Ok(())
     }
 
