@@ -104,39 +104,40 @@ pub(super) fn inside<S: Scalar, const D: usize>(
     Ok(())
 }
 
-/// No two bodies may overlap by more than the rounding of their positions. So little is harmless
-/// (BSFP14), and the state of another run, written out and read in again, has it.
+/// No two bodies may overlap by more than the rounding of their positions: a few places of the lattice
+/// of a periodic box. So little is harmless (BSFP14), and the state of another run, written out and
+/// read in again, has it.
 pub(super) fn overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Result<(), Fault> {
+    let ends = scene.boundary.periodic_axes().map(|(_, p)| (p.low, p.low + p.length));
+    let far = ends.fold(scene.largest_radius, |far, (low, high)| {
+        far.larger(low.magnitude()).larger(high.magnitude())
+    });
     for (a, body) in scene.bodies.iter().enumerate() {
         let mut checked = Ok(());
         scene.cells.near(body.cell, |b, _| {
             if let Some(other) = scene.body(b).filter(|_| b < a && checked.is_ok()) {
                 let apart = scene.separation(body, other);
                 let gap = apart.dot(&apart).sqrt() - (body.radius + other.radius);
-                checked = refuse_overlap(a, body, Partner::grain(b), gap);
+                checked = refuse_overlap((a, body), Partner::grain(b), gap, far);
             }
         });
         checked?;
         for (p, plane) in scene.boundary.planes().iter().enumerate() {
-            refuse_overlap(
-                a,
-                body,
-                Partner::plane(p),
-                plane.gap(&body.position, body.radius, scene.now),
-            )?;
+            let gap = plane.gap(&body.position, body.radius, scene.now);
+            refuse_overlap((a, body), Partner::plane(p), gap, far)?;
         }
     }
     Ok(())
 }
 
 fn refuse_overlap<S: Scalar, const D: usize>(
-    grain: usize,
-    body: &Body<S, D>,
+    (grain, body): (usize, &Body<S, D>),
     with: Partner,
     gap: S,
+    far: S,
 ) -> Result<(), Fault> {
-    let far = body.position.iter().fold(body.radius, |far, x| far.larger(x.magnitude()));
-    let rounding = S::RESOLUTION * S::from_f32(8.0) * far;
+    let far = body.position.iter().fold(far, |far, x| far.larger(x.magnitude()));
+    let rounding = S::RESOLUTION * S::from_f32(32.0) * far;
     if gap >= -rounding {
         return Ok(());
     }

@@ -2,8 +2,7 @@
 
 use super::Case;
 use carom::Grain;
-use rand::SeedableRng;
-use rand::seq::SliceRandom;
+use rand::{RngExt, SeedableRng};
 use rand_distr::{Distribution, Normal};
 use rand_pcg::Pcg64;
 
@@ -14,13 +13,14 @@ const BASIS: [&[[f64; 3]]; 3] = [
     &[[0.0, 0.0, 0.0], [0.5, 0.5, 0.0], [0.5, 0.0, 0.5], [0.0, 0.5, 0.5]],
 ];
 
-/// The grains of a case: on sites drawn at random from the smallest lattice that has enough, with
-/// normal velocities and no total momentum. The same ones every time.
+/// The grains of a case: on sites drawn at random from the smallest lattice that has enough, numbered
+/// along it, with normal velocities and no total momentum. The same ones every time.
 pub fn grains<const D: usize>(case: &Case) -> Vec<Grain<f64, D>> {
     let mut rng = Pcg64::seed_from_u64(case.count as u64);
     let mut sites = sites::<D>(case.count, case.edge());
-    sites.shuffle(&mut rng);
-    sites.truncate(case.count);
+    while sites.len() > case.count {
+        sites.remove(rng.random_range(0..sites.len()));
+    }
     let normal = Normal::new(0.0, case.speed()).unwrap_or_else(|_| unreachable!("speed() > 0"));
     let mut velocities: Vec<[f64; D]> =
         sites.iter().map(|_| std::array::from_fn(|_| normal.sample(&mut rng))).collect();
