@@ -14,6 +14,7 @@ pub(crate) mod scene;
 pub(crate) mod support;
 mod touch;
 pub(crate) mod turn;
+mod wander;
 
 pub use apply::Deed;
 pub use queue::{Kind, Slot};

@@ -4,9 +4,9 @@ use super::bracket::Found;
 use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
-use super::touch;
-use crate::matter::grid::{Grid, Stride};
-use crate::matter::{Body, Boundary, Partner, flight};
+use super::{touch, wander};
+use crate::matter::grid::Stride;
+use crate::matter::{Body, Partner, flight};
 use crate::number::{Instant, Scalar, Vector};
 
 /// The earliest event of this grain.
@@ -44,6 +44,8 @@ struct Look<'a, S: Scalar, const D: usize> {
     grain: usize,
     /// The grain at its own clock.
     me: &'a Body<S, D>,
+    /// Where it is now, if nothing holds it.
+    here: Vector<S, D>,
     /// The grain now; only where some are held.
     now: Option<Body<S, D>>,
     /// What it does by itself.
@@ -57,7 +59,9 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     fn from(scene: &'a Scene<'_, S, D>, grain: usize) -> Option<Self> {
         let me = scene.body(grain)?;
         let now = (scene.held > 0).then(|| scene.present(grain));
-        Some(Self { scene, grain, me, own: own(scene, me), wander: wander(scene, me), now })
+        let (here, velocity) = flight::free(me, scene.field(), scene.now);
+        let wander = wander::away(scene, me, [&here, &velocity]);
+        Some(Self { scene, grain, me, here, own: own(scene, me), wander, now })
     }
 
     /// How far a search needs to look.
@@ -65,34 +69,52 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         self.own.time.smaller(self.wander.time).smaller(slot.meeting) - self.scene.now
     }
 
-    /// Takes the meeting with grain `k` into account.
+    /// Takes the meeting with grain `k` into account; without an image, in the one that is nearest now.
     #[inline]
     fn pair(&self, slot: &mut Slot<S>, k: usize, image: Option<&Vector<S, D>>) {
-        let (scene, me) = (self.scene, self.me);
-        let Some(other) = scene.body(k).filter(|_| k != self.grain) else { return };
-        if me.partner == Partner::grain(k) && other.partner == Partner::grain(self.grain) {
+        match (image, self.scene.body(k)) {
+            (Some(image), Some(other)) => self.near(slot, k, other, image),
+            (None, Some(other)) => {
+                let image = touch::near_image(self.scene, &self.here, other);
+                self.near(slot, k, other, &image);
+            }
+            _ => {}
+        }
+    }
+
+    /// The same with a given image. Most pairs never meet: what is done for those that do is elsewhere,
+    /// so that nothing is saved and restored for the others.
+    #[inline]
+    fn near(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>, image: &Vector<S, D>) {
+        let me = self.me;
+        let bound = me.partner == Partner::grain(k) && other.partner == Partner::grain(self.grain);
+        if k == self.grain || bound {
             return;
         }
-        if let Some(now) = &self.now
-            && (now.is_held() || other.is_held())
-        {
-            return self.held(slot, k, [now, other]);
+        if self.now.as_ref().is_some_and(|now| now.is_held() || other.is_held()) {
+            return self.held(slot, k, other);
         }
-        if let Some(time) = touch::flying(scene, [me, other], image)
+        if let Some(time) = touch::flying(self.scene, [me, other], image)
             && time <= slot.meeting
         {
-            let from = not_before(me).larger(not_before(other));
-            if time.larger(from) < scene.now {
-                return self.missed(slot, k);
-            }
-            meet(slot, time.larger(from), Partner::grain(k), other.stamp);
+            self.candidate(slot, k, other, time);
         }
+    }
+
+    /// Grain `k` may be the next that is met.
+    #[inline(never)]
+    fn candidate(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>, time: S) {
+        let time = time.larger(not_before(self.me)).larger(not_before(other));
+        if time < self.scene.now {
+            return self.missed(slot, k);
+        }
+        meet(slot, time, Partner::grain(k), other.stamp);
     }
 
     /// The same if one of the two is held.
     #[inline(never)]
-    fn held(&self, slot: &mut Slot<S>, k: usize, [now, other]: [&Body<S, D>; 2]) {
-        let scene = self.scene;
+    fn held(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>) {
+        let (scene, Some(now)) = (self.scene, &self.now) else { return };
         let found = touch::held(scene, now, &scene.present(k), self.limit(slot));
         let from = not_before(self.me).larger(not_before(other));
         self.found(slot, found, from, Partner::grain(k));
@@ -170,113 +192,10 @@ fn own<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -> S
     }
 }
 
-/// When the body gets out of reach of the neighbours that were looked at.
-#[inline]
-fn wander<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -> Slot<S> {
-    let first = match &scene.cells.grid {
-        Some(grid) => crossing(scene, grid, me),
-        None => leash(scene, me).map(|span| (span, Slot::<S>::NO_FACE)),
-    };
-    let Some((span, face)) = first else { return Slot::EMPTY };
-    Slot { face, ..Slot::alone(scene.now + span, Kind::Wander) }
-}
-
 /// Whether a predicted event is void because the partner's trajectory has changed since.
 pub(crate) fn is_stale<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, slot: &Slot<S>) -> bool {
     let partner = slot.with().as_grain().and_then(|k| scene.body(k));
     partner.is_some_and(|body| body.stamp != slot.stamp)
-}
-
-/// When the grain leaves its cell, and through which face.
-///
-/// The faces obey the rule for planes: a grain that rounding has put just outside its cell crosses
-/// at once if it flies outwards, and not at all if it flies back in.
-#[inline]
-fn crossing<S: Scalar, const D: usize>(
-    scene: &Scene<'_, S, D>,
-    grid: &Grid<S, D>,
-    body: &Body<S, D>,
-) -> Option<(S, u8)> {
-    let mut first = None::<(S, u8)>;
-    if body.is_held() {
-        return shaken_crossing(scene, grid, &flight::at(body, scene.field(), scene.now));
-    }
-    let (position, velocity) = flight::free(body, scene.field(), scene.now);
-    let at = grid.coordinates(body.cell);
-    let [x, v, a]: [[S; D]; 3] = [position, velocity, scene.gravity].map(Into::into);
-    for (axis, ((&x, &v), &a)) in x.iter().zip(&v).zip(&a).enumerate() {
-        let [low, high] = grid.faces(&at, axis, x);
-        if a == S::zero() {
-            let (gap, up) = if v < S::zero() { (low, false) } else { (high, true) };
-            let Some(gap) = gap.filter(|_| v != S::zero()) else { continue };
-            sooner(&mut first, (gap / v.magnitude()).larger(S::zero()), Stride { axis, up });
-            continue;
-        }
-        for (gap, v, a, up) in [(low, v, a, false), (high, -v, -a, true)] {
-            if let Some(span) = gap.and_then(|gap| root::plane(gap, v, a)) {
-                sooner(&mut first, span, Stride { axis, up });
-            }
-        }
-    }
-    first
-}
-
-/// Keeps the face that is crossed first.
-#[inline]
-fn sooner<S: Scalar>(first: &mut Option<(S, u8)>, span: S, stride: Stride) {
-    if first.is_none_or(|(least, _)| span < least) {
-        *first = Some((span, stride.code()));
-    }
-}
-
-/// The same for a body that something holds, as it is now.
-fn shaken_crossing<S: Scalar, const D: usize>(
-    scene: &Scene<'_, S, D>,
-    grid: &Grid<S, D>,
-    me: &Body<S, D>,
-) -> Option<(S, u8)> {
-    let mut first = None::<(S, u8)>;
-    let acceleration = flight::acceleration(me, scene.field());
-    let at = grid.coordinates(me.cell);
-    let motion = me.position.iter().zip(me.velocity.iter()).zip(acceleration.iter());
-    for (axis, ((&x, &v), &a)) in motion.enumerate() {
-        let [low, high] = grid.faces(&at, axis, x);
-        let shaken = touch::is_shaken(scene, me, axis);
-        for (gap, up) in [(low, false), (high, true)] {
-            let Some(gap) = gap else { continue };
-            let (v, a) = if up { (-v, -a) } else { (v, a) };
-            let found = match shaken {
-                true => touch::shaken_face(scene, me, axis, gap, up),
-                false => root::plane(gap, v, a).map_or(Found::Nothing, Found::Event),
-            };
-            let (span, face) = match found {
-                Found::Event(span) => (span, Stride { axis, up }.code()),
-                Found::NotBefore(span) => (span, Slot::<S>::NO_FACE),
-                Found::Nothing => continue,
-            };
-            if first.is_none_or(|(least, _)| span < least) {
-                first = Some((span, face));
-            }
-        }
-    }
-    first
-}
-
-/// When the grain has flown to the end of its leash along a periodic axis. No plate moves along one.
-fn leash<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, body: &Body<S, D>) -> Option<S> {
-    let mut first = None::<S>;
-    let me = flight::at(body, scene.field(), scene.now);
-    let acceleration = flight::acceleration(&me, scene.field());
-    for (axis, periodic) in scene.boundary.periodic_axes() {
-        let far = Boundary::<S, D>::leash(&periodic, scene.largest_radius);
-        let (v, a) = (me.velocity.get(axis), acceleration.get(axis));
-        let span = v.zip(a).and_then(|(&v, &a)| root::leaving(far, v, a));
-        first = match (first, span) {
-            (Some(a), Some(b)) => Some(a.smaller(b)),
-            (a, b) => a.or(b),
-        };
-    }
-    first
 }
 
 /// The first instant at which a third body may end the contact that a body is in.

@@ -15,7 +15,7 @@ use crate::number::{Scalar, Vector};
 pub(super) fn flying<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     [me, other]: [&Body<S, D>; 2],
-    image: Option<&Vector<S, D>>,
+    image: &Vector<S, D>,
 ) -> Option<S> {
     let (mut from, field) = (me.clock, scene.field());
     let (mut x, mut v) = (me.position, me.velocity);
@@ -26,24 +26,19 @@ pub(super) fn flying<S: Scalar, const D: usize>(
         from = other.clock;
         (x, v) = flight::free(me, field, from);
     }
-    let separation = match image {
-        Some(image) => x - y + image,
-        None => x - y + near_image(scene, me, other),
-    };
-    let span = root::spheres(&separation, &(v - w), me.radius + other.radius)?;
+    let span = root::spheres(&(x - y + image), &(v - w), me.radius + other.radius)?;
     Some(from + span)
 }
 
-/// What the separation of two bodies lacks to that of the images which are nearest now.
+/// What the separation of two bodies, one of them `here` now, lacks to that of their nearest images.
 #[inline(never)]
-fn near_image<S: Scalar, const D: usize>(
+pub(super) fn near_image<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
-    me: &Body<S, D>,
+    here: &Vector<S, D>,
     other: &Body<S, D>,
 ) -> Vector<S, D> {
-    let (x, _) = flight::free(me, scene.field(), scene.now);
-    let (y, _) = flight::free(other, scene.field(), scene.now);
-    scene.boundary.nearest(x - y) - (x - y)
+    let apart = here - flight::free(other, scene.field(), scene.now).0;
+    scene.boundary.nearest(apart) - apart
 }
 
 /// After which span two bodies touch of which at least one is held. Both are as they are now.
