@@ -7,7 +7,7 @@ use super::scene::Scene;
 use super::touch;
 use crate::matter::grid::{Grid, Stride};
 use crate::matter::{Body, Boundary, Partner, flight};
-use crate::number::{Instant, Scalar};
+use crate::number::{Scalar, largest};
 
 /// The earliest event of this grain.
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
@@ -31,6 +31,9 @@ pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: us
         }
     }
     earlier(&mut slot, wander);
+    if let Some(span) = S::horizon(largest(&me.velocity), largest(&scene.gravity)) {
+        earlier(&mut slot, look_again(scene, span));
+    }
     slot
 }
 
@@ -154,7 +157,7 @@ fn meeting<S: Scalar, const D: usize>(
 /// in which neighbours are visited does not matter. NaN and infinity never win, nor what lies beyond
 /// the instants that there are.
 fn earlier<S: Scalar>(slot: &mut Slot<S>, candidate: Slot<S>) {
-    if candidate.time.to_f64() > Instant::LAST {
+    if candidate.time > S::LAST {
         return;
     }
     let tie = candidate.time == slot.time

@@ -1,5 +1,6 @@
 //! Which tables are embedded? Those that build.rs made for the enabled features; reads nothing at run time.
 
+use crate::number::Scalar;
 pub use carom_tables::form;
 pub use carom_tables::form::Stored as Number;
 pub use carom_tables::form::{Certificate, Domain, Groups, Scaled, Table};
@@ -29,14 +30,45 @@ use standard as chosen;
 #[cfg(all(feature = "wide", not(any(feature = "standard", feature = "compact"))))]
 use wide as chosen;
 
-/// The table that [`crate::law::Soft::linear_dashpot`] uses.
+/// The table that [`crate::law::Soft::linear_dashpot`] uses for `f32` and `f64`.
 #[must_use]
 pub fn linear_dashpot() -> &'static Table<Stored> {
     &chosen::LINEAR_DASHPOT
 }
 
-/// The table that [`crate::law::Soft::viscoelastic`] uses.
+/// The table that [`crate::law::Soft::viscoelastic`] uses for `f32` and `f64`.
 #[must_use]
 pub fn viscoelastic() -> &'static Table<Stored> {
     &chosen::VISCOELASTIC
 }
+
+/// A number type for which tables are embedded, made for reading in that type.
+pub trait Embedded: Scalar {
+    /// The number in which they are stored.
+    type Stored: Number;
+    /// The linear spring-dashpot's.
+    fn linear_dashpot() -> &'static Table<Self::Stored>;
+    /// The viscoelastic law's.
+    fn viscoelastic() -> &'static Table<Self::Stored>;
+}
+
+macro_rules! embedded {
+    ($type:ty, $stored:ty, $linear:expr, $viscoelastic:expr) => {
+        impl Embedded for $type {
+            type Stored = $stored;
+            fn linear_dashpot() -> &'static Table<$stored> {
+                $linear
+            }
+            fn viscoelastic() -> &'static Table<$stored> {
+                $viscoelastic
+            }
+        }
+    };
+}
+
+embedded!(f32, Stored, linear_dashpot(), viscoelastic());
+embedded!(f64, Stored, linear_dashpot(), viscoelastic());
+#[cfg(feature = "fixed")]
+embedded!(crate::number::I32F32, Stored, linear_dashpot(), viscoelastic());
+#[cfg(feature = "fixed")]
+embedded!(crate::number::I16F16, Stored, linear_dashpot(), viscoelastic());

@@ -3,13 +3,13 @@
 use crate::event::scene::Scene;
 use crate::fault::{Fault, Subject};
 use crate::matter::{Body, Boundary, Grain, Partner, Plane, Surface, Vibration};
-use crate::number::{Instant, Scalar, Vector};
+use crate::number::{Instant, Scalar, Vector, dot, norm};
 
 fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Result<(), Fault> {
     let subject = Subject::Plane(number);
     finite(subject, "normal", &plane.normal)?;
-    let length = plane.normal.dot(&plane.normal).to_f64();
-    if (length - 1.0).abs() > 1e-5 {
+    let length = dot(&plane.normal, &plane.normal).to_f64();
+    if (length - 1.0).abs() > 1e-5_f64.max(8.0 * S::RESOLUTION.to_f64()) {
         return Err(Fault::input(subject, "normal's length squared", length, "1"));
     }
     if !plane.offset.is_number() {
@@ -109,7 +109,7 @@ pub(super) fn overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Re
         for b in scene.cells.near(body.cell).filter(|&b| b < a) {
             let Some(other) = scene.body(b) else { continue };
             let apart = scene.separation(body, other);
-            let gap = apart.dot(&apart).sqrt() - (body.radius + other.radius);
+            let gap = norm(&apart) - (body.radius + other.radius);
             refuse_overlap(a, body, Partner::grain(b), gap)?;
         }
         for (p, plane) in scene.boundary.planes().iter().enumerate() {
@@ -131,7 +131,7 @@ fn refuse_overlap<S: Scalar, const D: usize>(
     gap: S,
 ) -> Result<(), Fault> {
     let far = body.position.iter().fold(body.radius, |far, x| far.larger(x.magnitude()));
-    let rounding = S::RESOLUTION * S::from_f32(8.0) * far;
+    let rounding = far.rounding() * S::from_f32(8.0);
     if gap >= -rounding {
         return Ok(());
     }

@@ -12,9 +12,6 @@ use crate::number::{Instant, Scalar, Vector, all_numbers};
 /// Events that a grain can have at one instant, on average, before the world is called stuck.
 const EVENTS_AT_ONCE: u32 = 4096;
 
-/// The part of the world's age by which time must move on to count as another instant: 2^−48.
-const VISIBLE: f64 = 3.552_713_678_800_501e-15;
-
 impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// The next event happens; none if nothing will ever happen again.
     ///
@@ -61,8 +58,14 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Err(Fault::Past { asked, now });
         }
         while self.step_until(asked.span_since(self.scene.epoch), watch)?.is_some() {}
-        self.scene.now = self.scene.now.larger(asked.span_since(self.scene.epoch));
-        Ok(())
+        loop {
+            let span: S = asked.span_since(self.scene.epoch);
+            self.scene.now = self.scene.now.larger(span.smaller(S::LATE));
+            if !(span > S::LATE) {
+                return Ok(());
+            }
+            self.set_clocks_back(self.scene.now);
+        }
     }
 
     /// The next event that is due by `limit` happens.
@@ -114,7 +117,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     fn move_clock(&mut self, grain: usize, slot: &Slot<S>) -> Result<(), Fault> {
         self.scene.now = self.scene.now.larger(slot.time);
         let at = self.now();
-        if at.since::<f64>(self.mark) > at.as_f64() * VISIBLE {
+        if at.is_visibly_after(self.mark) {
             self.mark = at;
             self.at_once = 0;
         }
@@ -147,7 +150,10 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     fn reschedule(&mut self, affected: &Affected) -> Result<(), Fault> {
         for &grain in &affected.again {
             if let Some(field) = self.scene.body(grain).and_then(apply::broken) {
-                return Err(Fault::NotFinite { grain, field, at: self.now() });
+                return Err(match S::RANGE {
+                    Some(most) => Fault::overflow(Subject::Grain(grain), field, most.to_f64()),
+                    None => Fault::NotFinite { grain, field, at: self.now() },
+                });
             }
             let slot = self.predict(grain);
             self.queue.set(grain, slot);
@@ -169,7 +175,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     fn keep_time(&mut self) {
         self.since_epoch = self.since_epoch.saturating_add(1);
         let enough = S::EVENTS_PER_EPOCH.saturating_mul(self.scene.bodies.len() as u32);
-        if self.since_epoch < enough.saturating_add(8) || !(self.scene.now > S::zero()) {
+        let soon = self.since_epoch < enough.saturating_add(8) && !(self.scene.now > S::LATE);
+        if soon || !(self.scene.now > S::zero()) {
             return;
         }
         let back = self.scene.now.leading_digits();
@@ -197,7 +204,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
                 body.release_at -= back;
             }
             if body.moment > -S::NEVER {
-                body.moment -= back;
+                let moment = body.moment - back;
+                body.moment = if moment.is_number() { moment } else { -S::NEVER };
             }
         }
         for slot in self.queue.slots.iter_mut().filter(|slot| slot.time < S::NEVER) {
