@@ -1,0 +1,36 @@
+//! Which digests does this machine get? Reads the number of events, or a scene, a scalar and a range of events; writes lines.
+//!
+//! `replay 100000` prints `scene scalar events digest` after each thousand events of every scene;
+//! `replay box16 f32 2000 3000` prints it after each event of that range.
+
+use std::error::Error;
+
+use carom_scenes::replay::Told;
+use carom_scenes::{Event, Scene, replay};
+
+fn scalar(name: &str, scene: Scene, told: Told) -> Result<(), Box<dyn Error>> {
+    let mut tell = |Event { number, digest }: Event| {
+        println!("{} {name} {number} {digest:016x}", scene.name());
+    };
+    match name {
+        "f32" => replay::replay::<f32>(scene, told, &mut tell)?,
+        "f64" => replay::replay::<f64>(scene, told, &mut tell)?,
+        _ => return Err(format!("{name}: the scalars are f32, f64").into()),
+    }
+    Ok(())
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    if let [scene, name, from, last] = words.as_slice() {
+        let scene = Scene::ALL.into_iter().find(|s| s.name() == scene).ok_or("no such scene")?;
+        return scalar(name, scene, Told::each(from.parse()?, last.parse()?));
+    }
+    let last = words.first().map_or(Ok(10_000), |word| word.parse())?;
+    for scene in Scene::ALL {
+        for name in ["f32", "f64"] {
+            scalar(name, scene, Told::thousandths(last))?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,124 @@
+//! How does a scene run, event by event? Reads a scene; writes digests to a callback.
+
+use carom::law::Rule;
+use carom::{Fault, Instant, Memory, Scalar, World};
+
+use crate::scene::{self, Scene};
+
+/// A state after so many events.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Event {
+    /// How many events have happened.
+    pub number: u32,
+    /// The digest of the state after them.
+    pub digest: u64,
+}
+
+/// Which events are told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Told {
+    /// The last event; the run ends after it.
+    pub last: u32,
+    /// Of all events after `from`, each whose number is a multiple of this is told.
+    pub every: u32,
+    /// Up to this event nothing is told.
+    pub from: u32,
+}
+
+impl Told {
+    /// Each thousandth of so many.
+    #[must_use]
+    pub fn thousandths(last: u32) -> Self {
+        Self { last, every: 1000, from: 0 }
+    }
+
+    /// Each of those after `from` up to `last`.
+    #[must_use]
+    pub fn each(from: u32, last: u32) -> Self {
+        Self { last, every: 1, from }
+    }
+}
+
+/// Runs a scene in this number type and tells the digests.
+///
+/// # Errors
+/// Any fault of the engine, or [`Fault::Full`] if the scene comes to an end before its last event.
+pub fn replay<S: Scalar>(
+    scene: Scene,
+    told: Told,
+    tell: &mut dyn FnMut(Event),
+) -> Result<(), Fault> {
+    match scene {
+        Scene::Fig6 => {
+            let mut memory = Memory::<S, 2, 2>::new();
+            run(&mut scene::fig6(&mut memory)?, told, tell)
+        }
+        Scene::Box16 => {
+            let mut memory = Memory::<S, 2, 16>::new();
+            turning(&mut scene::box16(&mut memory)?, told, tell)
+        }
+        Scene::Gas32 => {
+            let mut memory = Memory::<S, 3, 32>::new();
+            run(&mut scene::gas32(&mut memory)?, told, tell)
+        }
+        Scene::Column10 => {
+            let mut memory = Memory::<S, 1, 10>::new();
+            run(&mut scene::column10(&mut memory)?, told, tell)
+        }
+    }
+}
+
+/// Steps through all events.
+fn run<S: Scalar, const D: usize, R: Rule<S>>(
+    world: &mut World<'_, S, D, R>,
+    told: Told,
+    tell: &mut dyn FnMut(Event),
+) -> Result<(), Fault> {
+    for number in 1..=told.last {
+        if world.step()?.is_none() {
+            return Err(ended(number));
+        }
+        told.look(number, world, tell);
+    }
+    Ok(())
+}
+
+/// Steps through all events, turning gravity by a quarter every [`scene::QUARTER`] milliseconds.
+fn turning<S: Scalar, R: Rule<S>>(
+    world: &mut World<'_, S, 2, R>,
+    told: Told,
+    tell: &mut dyn FnMut(Event),
+) -> Result<(), Fault> {
+    let (mut number, mut quarters) = (0, 0);
+    while number < told.last {
+        let turn = Instant::from(f64::from(scene::QUARTER) * f64::from(quarters + 1));
+        if world.next_event_time().is_some_and(|next| next < turn) {
+            world.step()?;
+            number += 1;
+            told.look(number, world, tell);
+        } else {
+            quarters += 1;
+            // A void event may have been the next one, and the one after it later than the turn.
+            world.advance_to(turn.max(world.now()))?;
+            world.set_gravity(scene::turned(quarters))?;
+        }
+    }
+    Ok(())
+}
+
+impl Told {
+    fn look<S: Scalar, const D: usize, R>(
+        self,
+        number: u32,
+        world: &World<'_, S, D, R>,
+        tell: &mut dyn FnMut(Event),
+    ) {
+        if number > self.from && number.is_multiple_of(self.every.max(1)) {
+            tell(Event { number, digest: world.digest() });
+        }
+    }
+}
+
+fn ended(number: u32) -> Fault {
+    Fault::Full { knob: "the scene, which has no further event,", capacity: number as usize }
+}

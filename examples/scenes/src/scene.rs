@@ -1,0 +1,147 @@
+//! Which scenes are replayed? Reads nothing; writes a world into lent memory.
+
+use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic, tables};
+use carom::matter::{Plane, Surface, Vibration};
+use carom::{Fault, Grain, Lend, Scalar, World};
+
+/// The scenes that every target replays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scene {
+    /// The soft pair of MP13's Fig. 6, in a periodic box so that it meets again and again.
+    Fig6,
+    /// Sixteen viscoelastic grains in a 2D box under gravity, which turns by a quarter now and then.
+    Box16,
+    /// A 3D periodic gas of 32 elastic Hertzian spheres.
+    Gas32,
+    /// A column of ten beads on a vibrating plate, in one dimension.
+    Column10,
+}
+
+impl Scene {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Fig6, Self::Box16, Self::Gas32, Self::Column10];
+
+    /// Its name in the golden file.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fig6 => "fig6",
+            Self::Box16 => "box16",
+            Self::Gas32 => "gas32",
+            Self::Column10 => "column10",
+        }
+    }
+}
+
+/// A number of these units.
+pub(crate) fn n<S: Scalar>(value: f64) -> S {
+    S::from_f64(value)
+}
+
+/// A vector of numbers of these units.
+pub(crate) fn v<S: Scalar, const D: usize>(values: [f64; D]) -> [S; D] {
+    values.map(n)
+}
+
+/// A grain of the unit's density.
+pub(crate) fn grain<S: Scalar, const D: usize>(
+    radius: f64,
+    at: [f64; D],
+    moving: [f64; D],
+) -> Grain<S, D> {
+    Grain::with_mass(n(radius), n(radius * radius * radius)).at(v(at)).moving(v(moving))
+}
+
+/// Gravity: 9.81 m/s² in mm/ms².
+pub const GRAVITY: f64 = 9.81e-3;
+
+type Dashpot<S> = Soft<LinearDashpot<S>, tables::Stored>;
+type Rubber<S> = Soft<Viscoelastic<S>, tables::Stored>;
+
+/// Rubber of 5 MPa with A = 0.1 ms, read from this table.
+pub(crate) fn rubber<S: Scalar>(table: &'static tables::Table<tables::Stored>) -> Rubber<S> {
+    let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.1) };
+    Soft::with_table(law, table, Outside::HardSphere)
+}
+
+/// MP13 §VI.A: k = 2 kN/m, R = 0.1 m, ρ = 1140 kg/m³, elastic; here in a periodic box of one metre.
+///
+/// # Errors
+/// None unless the memory is too small.
+pub fn fig6<S: Scalar>(memory: &mut impl Lend<S, 2>) -> Result<World<'_, S, 2, Dashpot<S>>, Fault> {
+    let law = LinearDashpot { stiffness: n(2000.0), damping: n(0.0) };
+    let pair = |at, moving| Grain::with_mass(n(0.1), n(4.775_220_8)).at(v(at)).moving(v(moving));
+    World::setup(memory)
+        .periodic([v([-0.5, 0.5]); 2])
+        .rule(Soft::with_table(law, &tables::wide::LINEAR_DASHPOT, Outside::Clamp))
+        .grain(pair([0.0175, -0.120_393_92], [1.25, 2.5]))?
+        .grain(pair([-0.0425, 0.120_393_92], [1.25, -2.5]))?
+        .start()
+}
+
+/// Sixteen grains of 0.7 to 1.3 mm in a box of 12 mm.
+///
+/// # Errors
+/// None unless the memory is too small.
+pub fn box16<S: Scalar>(memory: &mut impl Lend<S, 2>) -> Result<World<'_, S, 2, Rubber<S>>, Fault> {
+    let site = |k: u32| {
+        let (column, row, odd) = (f64::from(k % 4), f64::from(k / 4), f64::from(k * 7 % 16));
+        let at = [1.5 + 3.0 * column, 1.5 + 3.0 * row];
+        grain(0.7 + 0.04 * odd, at, [0.02 * (odd - 7.5), 0.03 * (column - row)])
+    };
+    World::setup(memory)
+        .walls([v([0.0, 12.0]); 2])
+        .gravity(v([0.0, -GRAVITY]))
+        .rule(rubber(&tables::standard::VISCOELASTIC))
+        .grains((0..16).map(site))?
+        .start()
+}
+
+/// How long gravity of [`box16`] stays as it is.
+pub const QUARTER: u32 = 64;
+
+/// Gravity of [`box16`] after so many quarter turns.
+#[must_use]
+pub fn turned<S: Scalar>(quarters: u32) -> [S; 2] {
+    v(match quarters % 4 {
+        0 => [0.0, -GRAVITY],
+        1 => [GRAVITY, 0.0],
+        2 => [0.0, GRAVITY],
+        _ => [-GRAVITY, 0.0],
+    })
+}
+
+/// 32 equal spheres of 1 mm at the sites of a cubic lattice in a periodic box of 16 mm.
+///
+/// # Errors
+/// None unless the memory is too small.
+pub fn gas32<S: Scalar>(memory: &mut impl Lend<S, 3>) -> Result<World<'_, S, 3, Rubber<S>>, Fault> {
+    let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.0) };
+    let site = |k: u32| {
+        let at = [k % 4, k / 4 % 4, k / 16].map(|i| 2.0 + 4.0 * f64::from(i));
+        grain(1.0, at, [5, 11, 3].map(|prime| 0.02 * (f64::from(k * prime % 32) - 15.5)))
+    };
+    World::setup(memory)
+        .periodic([v([0.0, 16.0]); 3])
+        .rule(Soft::with_table(law, &tables::standard::VISCOELASTIC, Outside::HardSphere))
+        .grains((0..32).map(site))?
+        .start()
+}
+
+/// Ten beads of 1 mm on a plate of amplitude 1 mm at 25 Hz: 2.5 times gravity.
+///
+/// # Errors
+/// None unless the memory is too small.
+pub fn column10<S: Scalar>(
+    memory: &mut impl Lend<S, 1>,
+) -> Result<World<'_, S, 1, Dashpot<S>>, Fault> {
+    let law = LinearDashpot { stiffness: n(1000.0), damping: n(1.5) };
+    let plate = Plane::new(v([1.0]), n(0.0), Surface::Rule);
+    let bead = |k: u32| grain(1.0, [1.5 + 2.25 * f64::from(k)], [0.0]);
+    World::setup(memory)
+        .plane(plate.vibrating(Vibration::new(n(1.0), n(0.025))))
+        .gravity(v([-GRAVITY]))
+        .rule(Soft::with_table(law, &tables::wide::LINEAR_DASHPOT, Outside::HardSphere))
+        .grains((0..10).map(bead))?
+        .start()
+}
