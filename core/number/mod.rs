@@ -114,6 +114,7 @@ pub trait Scalar:
         self - self.magnitude() * Self::RESOLUTION
     }
     /// A whole number.
+    #[must_use]
     fn from_count(count: u32) -> Self {
         Self::from_f64(f64::from(count))
     }
@@ -155,6 +156,7 @@ pub trait Scalar:
         part.dot(part) <= of.dot(of) * Self::from_f32(1e-4)
     }
     /// When two spheres touch, if this type finds it in a way of its own, see [`crate::event::root::spheres`].
+    #[must_use]
     fn meeting<const D: usize>(
         _: &Vector<Self, D>,
         _: &Vector<Self, D>,
