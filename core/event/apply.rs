@@ -216,7 +216,9 @@ fn grains<S: Scalar, const D: usize>(
     who: [usize; 2],
     affected: &mut Affected,
 ) -> Result<Deed<S>, Fault> {
-    let [i, k] = who;
+    // In the order of their numbers: it must not matter whose event it is, not in the last bit either.
+    let [i, k] = if who[0] < who[1] { who } else { [who[1], who[0]] };
+    let who = [i, k];
     let pair = [scene.present(i), scene.present(k)];
     let [a, b] = &pair;
     let Some(touch) = Touch::new(scene.separation(a, b), a.velocity - b.velocity) else {
@@ -272,13 +274,11 @@ pub(crate) fn broken<S: Scalar, const D: usize>(body: &Body<S, D>) -> Option<&'s
 pub(crate) fn wander<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     i: usize,
-    code: u32,
-    affected: &mut Affected,
+    face: u8,
 ) -> Deed<S> {
-    affected.again(i);
     scene.counters.wanderings += 1;
     if scene.cells.grid.is_some() {
-        scene.cross(i, Stride::from_code(code));
+        scene.cross(i, Stride::from_code(face));
     } else {
         scene.rein_in(i);
     }

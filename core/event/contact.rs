@@ -39,7 +39,9 @@ pub(super) fn begins<S: Scalar, const D: usize>(
     let mass = a.mass + b.mass;
     let (share_a, share_b) = (b.mass / mass, -(a.mass / mass));
     let moved = separation - scene.separation(a, b);
-    let (at_a, at_b) = (a.position + moved * share_a, b.position + moved * share_b);
+    // Steps on the lattice: positions then do not depend on the image in which a grain is kept.
+    let step = |share| scene.boundary.on_lattice(moved * share);
+    let (at_a, at_b) = (a.position + step(share_a), b.position + step(share_b));
     if !(scene.is_free(i, at_a, Partner::grain(k)) && scene.is_free(k, at_b, Partner::grain(i))) {
         scene.counters.rotation_refused += 1;
         return bounce::grains(scene, who, pair, touch, (outcome.restitution, false), affected);

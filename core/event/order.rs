@@ -8,7 +8,7 @@
 use super::predict;
 use super::queue::{Kind, Queue, Slot};
 use super::scene::Scene;
-use crate::matter::flight;
+use crate::matter::{Partner, flight};
 use crate::number::{Product, Scalar, dot, norm};
 
 /// Of more simultaneous events than this only so many are looked at: the work of one event is bounded.
@@ -30,6 +30,9 @@ pub(crate) fn fastest<S: Scalar, const D: usize>(
     if slot.kind != Kind::Meet {
         return Ok(grain);
     }
+    if queue.at_once() <= 1 + u32::from(is_said_twice(queue, grain, slot)) {
+        return Ok(grain);
+    }
     let (mut stale, mut other, mut count) = (None, None, 0);
     queue.tied(slot.time, &mut |k| {
         let tied = queue.slot(k);
@@ -47,6 +50,14 @@ pub(crate) fn fastest<S: Scalar, const D: usize>(
         (None, None) if count < 2 => Ok(grain),
         (None, None) => Ok(first_of(scene, queue, grain, slot.time)),
     }
+}
+
+/// Whether the partner's event is the same meeting.
+fn is_said_twice<S: Scalar>(queue: &Queue<'_, S>, grain: usize, slot: &Slot<S>) -> bool {
+    slot.partner.as_grain().is_some_and(|k| {
+        let other = queue.slot(k);
+        other.with() == Partner::grain(grain) && other.time == slot.time
+    })
 }
 
 /// The fastest of several, the lowest number among equals.

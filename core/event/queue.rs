@@ -5,6 +5,8 @@
 //! by the grain's number, so ties break the same way on every target.
 
 use crate::matter::Partner;
+#[cfg(doc)]
+use crate::matter::grid::Stride;
 use crate::number::Scalar;
 
 /// What a grain's next event is.
@@ -25,25 +27,51 @@ pub enum Kind {
     Nothing,
 }
 
-/// A grain's earliest event.
+/// A grain's earliest event, and its earliest meeting.
+///
+/// A grain that comes into another cell keeps its meeting: only what is ahead must be looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Slot<S: Scalar> {
     pub(crate) time: S,
-    pub(crate) kind: Kind,
+    /// When it meets its partner.
+    pub(crate) meeting: S,
     pub(crate) partner: Partner,
     /// The partner's stamp when this was predicted.
     pub(crate) stamp: u32,
+    pub(crate) kind: Kind,
+    /// Through which face of its cell it leaves, see [`Stride::code`]; [`Slot::NO_FACE`] for none.
+    pub(crate) face: u8,
 }
 
 impl<S: Scalar> Slot<S> {
+    /// A look around that crosses no face.
+    pub(crate) const NO_FACE: u8 = u8::MAX;
+
     /// Nothing, ever.
-    pub(crate) const EMPTY: Self =
-        Self { time: S::NEVER, kind: Kind::Nothing, partner: Partner::NOTHING, stamp: 0 };
+    pub(crate) const EMPTY: Self = Self {
+        time: S::NEVER,
+        meeting: S::NEVER,
+        partner: Partner::NOTHING,
+        stamp: 0,
+        kind: Kind::Nothing,
+        face: Self::NO_FACE,
+    };
 
     /// An event without a partner.
     pub(crate) fn alone(time: S, kind: Kind) -> Self {
         Self { time, kind, ..Self::EMPTY }
+    }
+
+    /// What the event is about: nothing but itself, unless it is a meeting.
+    pub(crate) fn with(&self) -> Partner {
+        if self.kind == Kind::Meet { self.partner } else { Partner::NOTHING }
+    }
+
+    /// Only the meeting.
+    pub(crate) fn only_meeting(self) -> Self {
+        let kind = if self.partner == Partner::NOTHING { Kind::Nothing } else { Kind::Meet };
+        Self { time: self.meeting, kind, face: Self::NO_FACE, ..self }
     }
 }
 
@@ -54,12 +82,21 @@ impl<S: Scalar> Default for Slot<S> {
 }
 
 /// The tree over the slots of all grains. Node n has the children 2n and 2n + 1; leaf i is node N + i.
+///
+/// A node's word is the winner's number and, in the two highest bits, how many leaves below it are as
+/// early as the winner: 0 for one, 1 for two, 2 for more.
 pub(crate) struct Queue<'m, S: Scalar> {
     pub(crate) slots: &'m mut [Slot<S>],
     tree: &'m mut [u32],
 }
 
+/// The bits of a winner's number.
+const WINNER: u32 = (1 << 30) - 1;
+
 impl<'m, S: Scalar> Queue<'m, S> {
+    /// The most grains that a word of the tree can number.
+    pub(crate) const MOST: usize = WINNER as usize;
+
     /// A queue for as many grains as there are slots; the tree has the same length.
     pub(crate) fn new(slots: &'m mut [Slot<S>], tree: &'m mut [u32]) -> Self {
         let mut queue = Self { slots, tree };
@@ -69,11 +106,12 @@ impl<'m, S: Scalar> Queue<'m, S> {
 
     /// The grain whose event is the earliest, if there are grains.
     pub(crate) fn first(&self) -> Option<usize> {
-        match self.slots.len() {
-            0 => None,
-            1 => Some(0),
-            _ => self.tree.get(1).map(|&w| w as usize),
-        }
+        (!self.slots.is_empty()).then(|| self.winner(self.word(1)))
+    }
+
+    /// How many events are as early as the first, the first included; 3 stands for any more.
+    pub(crate) fn at_once(&self) -> u32 {
+        (self.word(1) >> 30) + 1
     }
 
     /// The slot of a grain.
@@ -91,21 +129,15 @@ impl<'m, S: Scalar> Queue<'m, S> {
 
     /// Visits the grains whose events are at this time, the earliest of all, until a visit says it is enough.
     pub(crate) fn tied(&self, time: S, visit: &mut impl FnMut(usize) -> bool) {
-        match self.slots.len() {
-            0 => {}
-            1 => {
-                visit(0);
-            }
-            _ => {
-                self.tied_below(1, time, visit);
-            }
+        if !self.slots.is_empty() {
+            self.tied_below(1, time, visit);
         }
     }
 
-    /// As deep as the tree is high: at most 32.
+    /// As deep as the tree is high: at most 30.
     fn tied_below(&self, node: usize, time: S, visit: &mut impl FnMut(usize) -> bool) -> bool {
-        let winner = self.winner(node);
-        if !(self.slot(winner).time <= time) {
+        let winner = self.winner(self.word(node));
+        if !(self.time(winner) <= time) {
             return true;
         }
         if node >= self.slots.len() {
@@ -117,38 +149,65 @@ impl<'m, S: Scalar> Queue<'m, S> {
     /// Plays every match again.
     pub(crate) fn rebuild(&mut self) {
         for node in (1..self.slots.len()).rev() {
-            self.play(node);
+            let [left, right] = [2 * node, 2 * node + 1].map(|child| {
+                let word = self.word(child);
+                (word, self.time(self.winner(word)))
+            });
+            self.keep(node, play(left, right).0);
         }
     }
 
-    /// Plays the matches on one leaf's way up again.
+    /// Plays the matches on one leaf's way up again, as far as they can end otherwise than before.
     fn replay(&mut self, grain: usize) {
-        let mut node = (self.slots.len() + grain) / 2;
-        while node >= 1 {
-            self.play(node);
+        let mut node = self.slots.len() + grain;
+        let mut mine = (self.word(node), self.time(grain));
+        while node > 1 {
+            let word = self.word(node ^ 1);
+            let other = (word, self.time(self.winner(word)));
             node /= 2;
+            mine = play(mine, other);
+            if mine.0 == self.word(node) && self.winner(mine.0) != grain {
+                return;
+            }
+            self.keep(node, mine.0);
         }
     }
 
-    #[expect(clippy::cast_possible_truncation, reason = "setup refuses more than MOST_GRAINS")]
-    fn play(&mut self, node: usize) {
-        let (left, right) = (self.winner(2 * node), self.winner(2 * node + 1));
-        let winner = if self.before(right, left) { right } else { left };
-        if let Some(n) = self.tree.get_mut(node) {
-            *n = winner as u32;
+    fn keep(&mut self, node: usize, word: u32) {
+        if let Some(place) = self.tree.get_mut(node) {
+            *place = word;
         }
     }
 
-    fn winner(&self, node: usize) -> usize {
+    /// The word of a node; a leaf's is its number.
+    #[expect(clippy::cast_possible_truncation, reason = "setup refuses more than MOST")]
+    fn word(&self, node: usize) -> u32 {
         let leaves = self.slots.len();
-        if node >= leaves { node - leaves } else { self.tree.get(node).map_or(0, |&w| w as usize) }
+        if node >= leaves {
+            (node - leaves) as u32
+        } else {
+            self.tree.get(node).copied().unwrap_or(0)
+        }
     }
 
-    /// Earlier, or as early with a lower number.
-    fn before(&self, a: usize, b: usize) -> bool {
-        let (ta, tb) = (self.slot(a).time, self.slot(b).time);
-        ta < tb || (ta == tb && a < b)
+    fn winner(&self, word: u32) -> usize {
+        (word & WINNER) as usize
     }
+
+    fn time(&self, grain: usize) -> S {
+        self.slots.get(grain).map_or(S::NEVER, |slot| slot.time)
+    }
+}
+
+/// Of two words and their winners' times the earlier, or, of equals, that with the lower winner and the
+/// sum of their counts.
+#[inline]
+fn play<S: Scalar>(left: (u32, S), right: (u32, S)) -> (u32, S) {
+    if left.1 == right.1 {
+        let more = ((left.0 >> 30) + (right.0 >> 30) + 1).min(2);
+        return ((left.0 & WINNER).min(right.0 & WINNER) | more << 30, left.1);
+    }
+    if right.1 < left.1 { right } else { left }
 }
 
 #[cfg(test)]

@@ -87,6 +87,9 @@ pub(super) fn is_slow<S: Scalar, const D: usize>(
     touch: &Touch<S, D>,
     [restitution, duration]: [S; 2],
 ) -> bool {
+    if scene.weightless && scene.held == 0 {
+        return false;
+    }
     let held = [a, b].into_iter().find(|body| body.is_held());
     if D == 1 && held.is_none() {
         return false;
@@ -114,7 +117,7 @@ pub(super) fn calmed<S: Scalar, const D: usize>(
     (is_slow, radial): (bool, S),
     affected: &mut Affected,
 ) -> Body<S, D> {
-    if D == 1 || body.is_frozen() {
+    if D == 1 || body.is_frozen() || !is_slow && body.burst < CALM / 2 {
         return *body;
     }
     let moves = body.velocity - carried(scene, body);

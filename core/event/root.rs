@@ -20,18 +20,16 @@ pub fn spheres<S: Scalar, const D: usize>(
         return found;
     }
     let approach = -r.dot(v);
-    if !(approach > S::zero()) {
+    let gap = r.dot(r) - sigma * sigma;
+    let speed2 = v.dot(v);
+    // Most pairs part or pass far from each other: the plain discriminant, with a margin above its
+    // rounding error, says so without a division, and both together with one branch.
+    let near = approach * approach >= speed2 * gap * S::from_f32(0.99);
+    if !((approach > S::zero()) & near) {
         return None;
     }
-    let gap = r.dot(r) - sigma * sigma;
     if gap <= S::zero() {
         return Some(S::zero());
-    }
-    let speed2 = v.dot(v);
-    // Most pairs pass far from each other: the plain discriminant, with a margin above its rounding
-    // error, says so without a division.
-    if approach * approach < speed2 * gap * S::from_f32(0.99) {
-        return None;
     }
     let closest = r + v * (approach / speed2);
     let inside = sigma * sigma - closest.dot(&closest);

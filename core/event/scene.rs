@@ -85,6 +85,8 @@ pub(crate) struct Scene<'m, S: Scalar, const D: usize> {
     pub cells: Cells<'m, S, D>,
     pub boundary: Boundary<S, D>,
     pub gravity: Vector<S, D>,
+    /// Whether gravity is zero.
+    pub weightless: bool,
     /// The present, after the epoch.
     pub now: S,
     /// The instant from which clocks count.
@@ -95,6 +97,8 @@ pub(crate) struct Scene<'m, S: Scalar, const D: usize> {
     pub t_c: S,
     /// Hops shorter than this are none, see [`super::support::hop`].
     pub hop: S,
+    /// How many bodies something holds against gravity.
+    pub held: usize,
     pub counters: Counters,
 }
 
@@ -109,7 +113,7 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
 
     /// What moves grains between events.
     pub fn field(&self) -> Field<'_, S, D> {
-        Field { gravity: &self.gravity, boundary: &self.boundary }
+        Field { gravity: &self.gravity, weightless: self.weightless, boundary: &self.boundary }
     }
 
     /// How fast plane `p` moves along its normal now.
@@ -125,7 +129,10 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
     /// Writes a body whose velocity changed: events predicted for it are void.
     pub fn place(&mut self, grain: usize, mut body: Body<S, D>) {
         body.stamp = body.stamp.wrapping_add(1);
+        body.position = self.boundary.on_lattice(body.position);
         if let Some(place) = self.bodies.get_mut(grain) {
+            self.held -= usize::from(place.is_held());
+            self.held += usize::from(body.is_held());
             *place = body;
         }
     }
@@ -219,11 +226,14 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
         let me = self.present(grain);
         let inside = self.boundary.wrap(position);
         let cell = self.cells.grid.as_ref().map_or(0, |grid| grid.locate(&inside));
-        self.free_of_planes(&me, position, except)
-            && self.cells.near(cell).all(|k| {
+        self.free_of_planes(&me, position, except) && {
+            let mut free = true;
+            self.cells.near(cell, |k, _| {
                 let other = self.body(k).filter(|_| k != grain && Partner::grain(k) != except);
-                other.is_none_or(|other| self.free_of(&me, position, other))
-            })
+                free &= other.is_none_or(|other| self.free_of(&me, position, other));
+            });
+            free
+        }
     }
 
     /// Whether `me` at `position` keeps clear of another body, wherever that is now.

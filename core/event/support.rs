@@ -100,10 +100,10 @@ fn supports<S: Scalar, const D: usize>(
             let _ = supports.push(plane.normal);
         }
     }
-    for k in scene.cells.near(body.cell) {
+    scene.cells.near(body.cell, |k, _| {
         let at_rest = |other: &&Body<S, D>| k != i && Some(k) != not && stands(*other);
         if scene.body(k).filter(at_rest).is_none() {
-            continue;
+            return;
         }
         let other = scene.present(k);
         let apart = scene.separation(body, &other);
@@ -111,7 +111,7 @@ fn supports<S: Scalar, const D: usize>(
         if distance <= body.radius + other.radius + near && distance > S::zero() {
             let _ = supports.push(apart / distance);
         }
-    }
+    });
     supports
 }
 

@@ -6,24 +6,57 @@ use super::scene::Scene;
 use crate::matter::{Body, Plane, flight};
 use crate::number::{Product, Scalar, Vector, dot, norm};
 
-/// When the two touch: BSFP14's rule. Uniform gravity leaves their relative motion straight, unless
-/// only one of them is held against it.
+/// At what time two bodies touch that nothing holds: BSFP14's rule. Uniform gravity leaves their
+/// relative motion straight.
+///
+/// It depends on nothing but the two, not on when it is asked: both are taken at the later of their
+/// clocks. `image` is what their separation lacks to that of the images which are near now.
+#[inline]
+pub(super) fn flying<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    [me, other]: [&Body<S, D>; 2],
+    image: Option<&Vector<S, D>>,
+) -> Option<S> {
+    let (mut from, field) = (me.clock, scene.field());
+    let (mut x, mut v) = (me.position, me.velocity);
+    let (mut y, mut w) = (other.position, other.velocity);
+    if other.clock <= from {
+        (y, w) = flight::free(other, field, from);
+    } else {
+        from = other.clock;
+        (x, v) = flight::free(me, field, from);
+    }
+    let separation = match image {
+        Some(image) => x - y + image,
+        None => x - y + near_image(scene, me, other),
+    };
+    let span = root::spheres(&separation, &(v - w), me.radius + other.radius)?;
+    Some(from + span)
+}
+
+/// What the separation of two bodies lacks to that of the images which are nearest now.
+#[inline(never)]
+fn near_image<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+    other: &Body<S, D>,
+) -> Vector<S, D> {
+    let (x, _) = flight::free(me, scene.field(), scene.now);
+    let (y, _) = flight::free(other, scene.field(), scene.now);
+    scene.boundary.nearest(x - y) - (x - y)
+}
+
+/// After which span two bodies touch of which at least one is held. Both are as they are now.
 ///
 /// A pair in contact has one velocity copied twice; it is skipped by the caller so that rounding of
 /// two clocks cannot make it meet itself.
-pub(super) fn pair<S: Scalar, const D: usize>(
+pub(super) fn held<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     me: &Body<S, D>,
     other: &Body<S, D>,
     limit: S,
 ) -> Found<S> {
     let reach = me.radius + other.radius;
-    if !me.is_held() && !other.is_held() {
-        let (position, velocity) = flight::free(other, &scene.gravity, scene.now);
-        let separation = scene.boundary.nearest(me.position - position);
-        let found = root::spheres(&separation, &(me.velocity - velocity), reach);
-        return found.map_or(Found::Nothing, Found::Event);
-    }
     if me.is_frozen() && other.is_frozen() && me.planes == other.planes {
         return Found::Nothing;
     }
@@ -32,8 +65,7 @@ pub(super) fn pair<S: Scalar, const D: usize>(
     let together = flight::plates(me, field).eq(flight::plates(other, field));
     let alike = me.planes == other.planes && me.is_frozen() == other.is_frozen();
     if alike || (together && !(norm(&apart) > S::zero())) {
-        let other = flight::at(other, scene.field(), scene.now);
-        let separation = scene.separation(me, &other);
+        let separation = scene.separation(me, other);
         let found = root::spheres(&separation, &(me.velocity - other.velocity), reach);
         return found.map_or(Found::Nothing, Found::Event);
     }
@@ -54,7 +86,19 @@ fn overlap<S: Scalar, const D: usize>(r: &Vector<S, D>, v: &Vector<S, D>, sigma:
     ((S::dot(r, r) - sigma.times(sigma)).over(distance + sigma), S::dot(r, v).over(distance))
 }
 
-/// When a body touches a plane that does not hold it.
+/// At what time a body that nothing holds touches a plane that does not move; from its own clock on.
+#[inline]
+pub(super) fn wall<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    me: &Body<S, D>,
+    plane: &Plane<S, D>,
+) -> Option<S> {
+    let n = &plane.normal;
+    let gap = plane.mean_gap(&me.position, me.radius);
+    Some(me.clock + root::plane(gap, dot(n, &me.velocity), dot(n, &scene.gravity))?)
+}
+
+/// When a body, as it is now, touches a plane that does not hold it.
 pub(super) fn plane<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     me: &Body<S, D>,

@@ -20,22 +20,39 @@ pub struct Periodic<S> {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Boundary<S: Scalar, const D: usize> {
-    axes: Vector<Option<Periodic<S>>, D>,
+    /// Where periodic axes begin.
+    low: Vector<S, D>,
+    /// How long periodic axes are; zero for the others.
+    length: Vector<S, D>,
+    /// What rounds a position to the lattice of a periodic axis, see [`Scalar::lattice`]; else zero.
+    #[cfg_attr(feature = "serde", serde(skip, default = "Vector::zeros"))]
+    lattice: Vector<S, D>,
     planes: heapless::Vec<Plane<S, D>, MOST_PLANES>,
 }
 
 impl<S: Scalar, const D: usize> Default for Boundary<S, D> {
     /// Open space.
     fn default() -> Self {
-        Self { axes: Vector::from([None; D]), planes: heapless::Vec::new() }
+        let zero = Vector::zeros();
+        Self { low: zero, length: zero, lattice: zero, planes: heapless::Vec::new() }
     }
 }
 
 impl<S: Scalar, const D: usize> Boundary<S, D> {
-    /// Makes an axis periodic. An axis that does not exist is ignored.
-    pub(crate) fn set_periodic(&mut self, axis: usize, periodic: Periodic<S>) {
-        if let Some(a) = self.axes.get_mut(axis) {
-            *a = Some(periodic);
+    /// Makes an axis periodic. Its length is put on the lattice of its positions. An axis that does not
+    /// exist is ignored.
+    pub(crate) fn set_periodic(&mut self, axis: usize, Periodic { low, length }: Periodic<S>) {
+        let far = low.magnitude().larger((low + length).magnitude());
+        let lattice = S::lattice(far);
+        let fields = [
+            (&mut self.low, low),
+            (&mut self.length, (length + lattice) - lattice),
+            (&mut self.lattice, lattice),
+        ];
+        for (vector, value) in fields {
+            if let Some(x) = vector.get_mut(axis) {
+                *x = value;
+            }
         }
     }
 
@@ -54,7 +71,8 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
     /// What a periodic axis is; none if it is not one.
     #[must_use]
     pub fn periodic(&self, axis: usize) -> Option<Periodic<S>> {
-        self.axes.get(axis).copied().flatten()
+        let (&low, &length) = (self.low.get(axis)?, self.length.get(axis)?);
+        (length != S::zero()).then_some(Periodic { low, length })
     }
 
     /// An interval along an axis, its ends put onto the planes that stand across that axis.
@@ -77,7 +95,7 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
 
     /// The periodic axes and their numbers.
     pub fn periodic_axes(&self) -> impl Iterator<Item = (usize, Periodic<S>)> + '_ {
-        self.axes.iter().enumerate().filter_map(|(a, p)| p.map(|p| (a, p)))
+        (0..D).filter_map(|axis| self.periodic(axis).map(|p| (axis, p)))
     }
 
     /// The separation of the nearest images (minimum image), given that of two positions near the box.
@@ -85,39 +103,41 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
     /// Both lie within a quarter of the box's length of it (the leash sees to
     /// that), so one box length is all there can be to take off.
     #[must_use]
-    pub fn nearest(&self, mut separation: Vector<S, D>) -> Vector<S, D> {
-        for (x, axis) in separation.iter_mut().zip(self.axes.iter()) {
-            if let Some(p) = axis {
-                let half = p.length * S::half();
-                if *x > half {
-                    *x -= p.length;
-                } else if *x < -half {
-                    *x += p.length;
-                }
-            }
-        }
-        separation
+    #[inline]
+    pub fn nearest(&self, separation: Vector<S, D>) -> Vector<S, D> {
+        separation.zip_map(&self.length, |x, length| {
+            let half = length * S::half();
+            let over = if x > half { length } else { S::zero() };
+            x - if x < -half { -length } else { over }
+        })
+    }
+
+    /// A position on the lattice of the periodic axes, or a step from one to another.
+    #[must_use]
+    #[inline]
+    pub(crate) fn on_lattice(&self, x: Vector<S, D>) -> Vector<S, D> {
+        (x + self.lattice) - self.lattice
     }
 
     /// The image inside the periodic box of a position near it.
     #[must_use]
-    pub fn wrap(&self, mut position: Vector<S, D>) -> Vector<S, D> {
-        for (x, axis) in position.iter_mut().zip(self.axes.iter()) {
-            if let Some(p) = axis {
-                if *x < p.low {
-                    *x += p.length;
-                } else if *x >= p.low + p.length {
-                    *x -= p.length;
-                }
+    pub fn wrap(&self, position: Vector<S, D>) -> Vector<S, D> {
+        let inside = |x: S, low: S, length: S| {
+            if x < low {
+                x + length
+            } else if x >= low + length {
+                x - length
+            } else {
+                x
             }
-        }
-        position
+        };
+        position.zip_zip_map(&self.low, &self.length, inside)
     }
 
     /// The image inside the periodic box of a position anywhere.
     pub(crate) fn wrap_from_afar(&self, mut position: Vector<S, D>) -> Vector<S, D> {
-        for (x, axis) in position.iter_mut().zip(self.axes.iter()) {
-            if let Some(p) = axis {
+        for (axis, p) in self.periodic_axes() {
+            if let Some(x) = position.get_mut(axis) {
                 *x -= p.length * ((*x - p.low) / p.length).round_down();
             }
         }

@@ -1,7 +1,7 @@
 //! Who is near whom? Linked lists of grains in the cells of a grid, in borrowed memory; reads cells, writes lists.
 
-use super::grid::{Grid, NOWHERE};
-use crate::number::Scalar;
+use super::grid::{Grid, NOWHERE, Step, Stride};
+use crate::number::{Scalar, Vector};
 
 /// The end of a list.
 const END: u32 = u32::MAX;
@@ -78,73 +78,94 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         }
     }
 
-    /// All grains in this cell and its neighbours; all grains if there is no grid.
-    pub fn near(&self, cell: u32) -> Near<'_, D> {
-        let steps = self.grid.as_ref().map(|grid| grid.steps(cell));
-        let cursor = if steps.is_some() { END } else { 0 };
-        let steps = steps.unwrap_or([[0; 3]; D]);
-        let (heads, links) = (&*self.heads, &*self.links);
-        Near {
-            gridded: self.grid.is_some(),
-            heads,
-            links,
-            steps,
-            digits: [0; D],
-            done: false,
-            cursor,
+    /// Visits all grains in this cell and its neighbours, each with what must be added to separations
+    /// from it to get those of the images that are near; all grains, without it, if there is no grid.
+    #[inline]
+    pub fn near(&self, cell: u32, mut visit: impl FnMut(usize, Option<&Vector<S, D>>)) {
+        match &self.grid {
+            None => (0..self.links.len()).for_each(|grain| visit(grain, None)),
+            Some(grid) => self.within(&grid.steps(&grid.coordinates(cell)), &mut visit),
         }
     }
-}
 
-/// The grains near a cell, one after the other.
-pub(crate) struct Near<'a, const D: usize> {
-    gridded: bool,
-    heads: &'a [u32],
-    links: &'a [Link],
-    steps: [[u32; 3]; D],
-    /// Which neighbour is next: below, the same or above along each axis.
-    digits: [u8; D],
-    done: bool,
-    cursor: u32,
-}
-
-impl<const D: usize> Near<'_, D> {
-    /// The first grain of the next neighbour; `END` if it is empty or does not exist.
-    fn head(&mut self) -> u32 {
-        let mut cell = Some(0);
-        for (&digit, step) in self.digits.iter().zip(&self.steps) {
-            let term = step.get(usize::from(digit)).copied().filter(|&term| term != NOWHERE);
-            cell = cell.zip(term).map(|(cell, term): (u32, u32)| cell + term);
+    /// The same after a grain has come into this cell: only those that were not near before.
+    #[inline]
+    pub fn ahead(
+        &self,
+        cell: u32,
+        stride: Stride,
+        mut visit: impl FnMut(usize, Option<&Vector<S, D>>),
+    ) {
+        let Some(grid) = &self.grid else { return };
+        let mut steps = grid.steps(&grid.coordinates(cell));
+        if let Some([below, same, above]) = steps.get_mut(stride.axis) {
+            let behind = if stride.up { below } else { above };
+            (behind.0, same.0) = (NOWHERE, NOWHERE);
         }
-        self.done = true;
-        for digit in &mut self.digits {
-            *digit = (*digit + 1) % 3;
-            if *digit != 0 {
-                self.done = false;
-                break;
+        self.within(&steps, &mut visit);
+    }
+
+    /// Visits the grains of the cells that these steps lead to: one of the three along each axis.
+    #[inline]
+    fn within(
+        &self,
+        steps: &[[Step<S>; 3]; D],
+        visit: &mut impl FnMut(usize, Option<&Vector<S, D>>),
+    ) {
+        let Some((along, across)) = steps.split_first() else { return };
+        let mut digits = [0_usize; D];
+        let Some((_, digits)) = digits.split_first_mut() else { return };
+        loop {
+            let (mut row, mut image) = (0_u32, Vector::<S, D>::zeros());
+            for ((step, &digit), x) in
+                across.iter().zip(&*digits).zip(image.as_mut_slice().iter_mut().skip(1))
+            {
+                let &(term, turn) = step.get(digit).unwrap_or(&(NOWHERE, S::zero()));
+                // Stays NOWHERE once it is.
+                row = row.saturating_add(term);
+                *x = turn;
+            }
+            if row != NOWHERE {
+                self.row(row, along, &mut image, visit);
+            }
+            if !next(digits) {
+                return;
             }
         }
-        cell.and_then(|c| self.heads.get(c as usize)).map_or(END, |&head| head)
+    }
+
+    /// Visits the grains of the three cells along the first axis.
+    #[inline]
+    fn row(
+        &self,
+        row: u32,
+        along: &[Step<S>; 3],
+        image: &mut Vector<S, D>,
+        visit: &mut impl FnMut(usize, Option<&Vector<S, D>>),
+    ) {
+        for &(term, turn) in along {
+            let cell = row.saturating_add(term) as usize;
+            let mut grain = self.heads.get(cell).map_or(END, |&head| head);
+            if let Some(x) = image.as_mut_slice().first_mut() {
+                *x = turn;
+            }
+            while grain != END {
+                visit(grain as usize, Some(image));
+                grain = self.links.get(grain as usize).map_or(END, |link| link.next);
+            }
+        }
     }
 }
 
-impl<const D: usize> Iterator for Near<'_, D> {
-    type Item = usize;
-
-    fn next(&mut self) -> Option<usize> {
-        if !self.gridded {
-            let grain = self.cursor as usize;
-            self.cursor += 1;
-            return (grain < self.links.len()).then_some(grain);
+/// Counts on, to the base of three; false after the last number.
+#[inline]
+fn next(digits: &mut [usize]) -> bool {
+    for digit in digits {
+        *digit += 1;
+        if *digit < 3 {
+            return true;
         }
-        while self.cursor == END {
-            if self.done {
-                return None;
-            }
-            self.cursor = self.head();
-        }
-        let grain = self.cursor as usize;
-        self.cursor = self.links.get(grain).map_or(END, |link| link.next);
-        Some(grain)
+        *digit = 0;
     }
+    false
 }

@@ -10,8 +10,15 @@ use crate::number::{Scalar, Vector, dot};
 pub struct Field<'a, S: Scalar, const D: usize> {
     /// Uniform gravity.
     pub gravity: &'a Vector<S, D>,
+    /// Whether gravity is zero: what a flight need not be asked.
+    pub weightless: bool,
     /// The planes, and how they move.
     pub boundary: &'a Boundary<S, D>,
+}
+
+/// Whether there is no gravity.
+pub fn is_weightless<S: Scalar, const D: usize>(gravity: &Vector<S, D>) -> bool {
+    gravity.iter().all(|&g| g == S::zero())
 }
 
 /// The grain's constant acceleration: gravity, less what holds it.
@@ -60,9 +67,11 @@ pub fn at<S: Scalar, const D: usize>(
 ) -> Body<S, D> {
     let span = now - body.clock;
     if !body.is_held() {
-        return fly(body, field.gravity, span, now);
+        let (position, velocity) = free(body, field, now);
+        return Body { position, velocity, clock: now, ..*body };
     }
-    let mut there = fly(body, &acceleration(body, field), span, now);
+    let (position, velocity) = after(body, &acceleration(body, field), field.boundary, span);
+    let mut there = Body { position, velocity, clock: now, ..*body };
     for plate in plates(body, field) {
         // Along the normal it moves as the plate does, not by a velocity of its own: rounding cannot add up.
         let (then, later, n) = (plate.motion(body.clock), plate.motion(now), &plate.normal);
@@ -73,34 +82,30 @@ pub fn at<S: Scalar, const D: usize>(
     there
 }
 
-fn fly<S: Scalar, const D: usize>(
-    body: &Body<S, D>,
-    a: &Vector<S, D>,
-    span: S,
-    now: S,
-) -> Body<S, D> {
-    let (position, velocity) = after(body, a, span);
-    Body { position, velocity, clock: now, ..*body }
-}
-
 /// Position and velocity of a body that nothing holds: r + v t + g t²/2 and v + g t.
 #[inline]
 pub fn free<S: Scalar, const D: usize>(
     body: &Body<S, D>,
-    gravity: &Vector<S, D>,
+    field: Field<'_, S, D>,
     now: S,
 ) -> (Vector<S, D>, Vector<S, D>) {
-    after(body, gravity, now - body.clock)
+    let span = now - body.clock;
+    if field.weightless {
+        let way = field.boundary.on_lattice(body.velocity * span);
+        return (body.position + way, body.velocity);
+    }
+    after(body, field.gravity, field.boundary, span)
 }
 
 #[inline]
 fn after<S: Scalar, const D: usize>(
     body: &Body<S, D>,
     a: &Vector<S, D>,
+    boundary: &Boundary<S, D>,
     span: S,
 ) -> (Vector<S, D>, Vector<S, D>) {
-    let position = body.position + (body.velocity + a * (span * S::half())) * span;
-    (position, body.velocity + a * span)
+    let way = (body.velocity + a * (span * S::half())) * span;
+    (body.position + boundary.on_lattice(way), body.velocity + a * span)
 }
 
 /// Lets the grain move until `now`.

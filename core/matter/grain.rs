@@ -110,7 +110,10 @@ impl Partner {
 }
 
 /// A grain as the engine keeps it: its state at its own clock, and the contact it is in.
+///
+/// The first four fields say all about a free flight: in three dimensions of `f64` they are 64 bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Body<S: Scalar, const D: usize> {
     pub(crate) position: Vector<S, D>,
@@ -118,13 +121,13 @@ pub struct Body<S: Scalar, const D: usize> {
     /// The time, since the world's epoch, at which position and velocity hold.
     pub(crate) clock: S,
     pub(crate) radius: S,
-    pub(crate) mass: S,
     /// What the contact's end (E^v) adds to the velocity. For a plane: the normal velocity's new value.
     pub(crate) release: Vector<S, D>,
     /// When the contact ends.
     pub(crate) release_at: S,
     /// In a contact: until when no third body may end it. Else: when the last collision was.
     pub(crate) moment: S,
+    pub(crate) mass: S,
     /// With whom it is in contact.
     pub(crate) partner: Partner,
     /// Changes whenever the trajectory does, so that events predicted before can be told as stale.

@@ -9,8 +9,15 @@ use super::boundary::Boundary;
 use super::grain::Body;
 use crate::number::{Scalar, Vector};
 
+/// The width of a cell, if grains are far from each other, in units of the space a grain has: measured.
+const FINE: f64 = 0.8;
+
 /// There is no such cell.
 pub(super) const NOWHERE: u32 = u32::MAX;
+
+/// What the way to a neighbouring cell adds to a cell's number (`NOWHERE` if there is none), and to
+/// separations from the grains there: a box length where it goes round a periodic axis.
+pub(super) type Step<S> = (u32, S);
 
 /// The cells along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +27,8 @@ pub(crate) struct Lane<S> {
     width: S,
     count: u32,
     periodic: bool,
+    /// The length of a periodic axis; else zero.
+    length: S,
 }
 
 /// The cells along all axes.
@@ -37,20 +46,20 @@ pub(crate) struct Stride {
 }
 
 impl Stride {
-    /// As one word.
+    /// As one byte.
     #[expect(clippy::cast_possible_truncation, reason = "there are at most a few axes")]
-    pub fn code(self) -> u32 {
-        2 * self.axis as u32 + u32::from(self.up)
+    pub fn code(self) -> u8 {
+        2 * self.axis as u8 + u8::from(self.up)
     }
 
-    /// From one word.
-    pub fn from_code(code: u32) -> Self {
-        Self { axis: code as usize / 2, up: code % 2 == 1 }
+    /// From one byte.
+    pub fn from_code(code: u8) -> Self {
+        Self { axis: usize::from(code / 2), up: code % 2 == 1 }
     }
 }
 
 impl<S: Scalar, const D: usize> Grid<S, D> {
-    /// The grid with about one grain a cell, cells no narrower than `reach`, at most `most` of them;
+    /// The grid with at least half a grain a cell, cells no narrower than `reach`, at most `most` of them;
     /// none if that leaves fewer than four along a periodic axis.
     pub(crate) fn choose(
         boundary: &Boundary<S, D>,
@@ -58,19 +67,21 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         reach: S,
         most: usize,
     ) -> Option<Self> {
-        let sides: [([S; 2], bool); D] = core::array::from_fn(|axis| {
-            (extent(boundary, bodies, axis), boundary.periodic(axis).is_some())
-        });
-        let volume: f64 = sides.iter().map(|([low, high], _)| (*high - *low).to_f64()).product();
+        let sides: [[S; 2]; D] = core::array::from_fn(|axis| extent(boundary, bodies, axis));
+        let volume: f64 = sides.iter().map(|[low, high]| (*high - *low).to_f64()).product();
         let dense = libm::pow(volume / bodies.len().max(1) as f64, 1.0 / D as f64);
-        let mut width = dense.max(1.001 * reach.to_f64());
+        let mut width = (dense * FINE).max(1.001 * reach.to_f64());
         if !(width > 0.0 && width.is_finite()) {
             return None;
         }
         // Each round makes cells an eighth wider; 500 of them span any range of widths.
         for _ in 0..500 {
-            let lanes = sides.map(|(side, periodic)| lane(side, periodic, width));
-            let cells: f64 = lanes.iter().map(|l: &Lane<S>| f64::from(l.count)).product();
+            let lane = |axis| {
+                let side = sides.get(axis).copied().unwrap_or_default();
+                lane(side, boundary.periodic(axis).map(|p| p.length), width)
+            };
+            let lanes: [Lane<S>; D] = core::array::from_fn(lane);
+            let cells: f64 = lanes.iter().map(|l| f64::from(l.count)).product();
             if lanes.iter().any(|lane| lane.periodic && lane.count < 4) {
                 return None;
             }
@@ -85,22 +96,23 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// Whether every lane can be counted with: a grid may have been read from a file.
     pub(super) fn is_sound(&self) -> bool {
         let sound = |l: &Lane<S>| l.count > 0 && l.count <= 1 << 20 && l.width > S::zero();
-        self.lanes.iter().all(sound)
+        self.lanes.as_slice().iter().all(sound)
     }
 
     /// Whether it is a grid for this box and grains of this diameter.
     pub(crate) fn fits(&self, boundary: &Boundary<S, D>, reach: S) -> bool {
-        self.lanes.iter().enumerate().all(|(axis, lane)| {
+        self.lanes.as_slice().iter().enumerate().all(|(axis, lane)| {
             let length = lane.width * S::from_count(lane.count);
             let same = match boundary.periodic(axis) {
                 Some(p) => {
                     let off = (length - p.length).magnitude();
                     lane.periodic
+                        && lane.length == p.length
                         && lane.low == p.low
                         && lane.count >= 4
                         && off < reach * S::from_f32(1e-3)
                 }
-                None => !lane.periodic,
+                None => !lane.periodic && lane.length == S::zero(),
             };
             same && lane.low.is_number() && lane.width >= reach
         })
@@ -108,44 +120,50 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
 
     /// Whether a position lies in a cell, or so near that only rounding can tell.
     pub(crate) fn holds(&self, cell: u32, position: &Vector<S, D>) -> bool {
+        let at = self.coordinates(cell);
         (cell as usize) < self.cells()
-            && self.lanes.iter().zip(position.iter()).enumerate().all(|(axis, (lane, &x))| {
-                let near = -lane.width * S::from_f32(1e-3);
-                self.faces(cell, axis, x).into_iter().flatten().all(|gap| gap >= near)
-            })
+            && self.lanes.as_slice().iter().zip(position.iter()).enumerate().all(
+                |(axis, (lane, &x))| {
+                    let near = -lane.width * S::from_f32(1e-3);
+                    self.faces(&at, axis, x).into_iter().flatten().all(|gap| gap >= near)
+                },
+            )
     }
 
     /// How many cells there are.
     pub(crate) fn cells(&self) -> usize {
-        self.lanes.iter().fold(1, |n: usize, lane| n.saturating_mul(lane.count as usize))
+        self.lanes.as_slice().iter().fold(1, |n: usize, lane| n.saturating_mul(lane.count as usize))
     }
 
     /// The cell of a position inside the box.
     pub(crate) fn locate(&self, position: &Vector<S, D>) -> u32 {
         let mut cell = 0;
-        for (lane, &x) in self.lanes.iter().zip(position.iter()).rev() {
+        for (lane, &x) in self.lanes.as_slice().iter().zip(position.iter()).rev() {
             cell = cell * lane.count + lane.index(x);
         }
         cell
     }
 
-    /// The cells' numbers along the axes.
-    fn coordinates(&self, mut cell: u32) -> [u32; D] {
+    /// A cell's numbers along the axes.
+    pub(crate) fn coordinates(&self, mut cell: u32) -> [u32; D] {
         let mut at = [0; D];
-        for (c, lane) in at.iter_mut().zip(self.lanes.iter()) {
+        for (c, lane) in at.iter_mut().zip(self.lanes.as_slice().iter()) {
             *c = cell % lane.count;
             cell /= lane.count;
         }
         at
     }
 
-    /// For each axis, what the cell below, the same and the one above add to a cell's number; `NOWHERE` for none.
-    pub(super) fn steps(&self, cell: u32) -> [[u32; 3]; D] {
-        let (mut scale, at) = (1, self.coordinates(cell));
-        let mut steps = [[NOWHERE; 3]; D];
-        for ((step, &c), lane) in steps.iter_mut().zip(&at).zip(self.lanes.iter()) {
-            let term = |c: Option<u32>| c.map_or(NOWHERE, |c| c * scale);
-            *step = [term(lane.below(c)), c * scale, term(lane.above(c))];
+    /// For each axis, the steps to the cell below, the same and the one above.
+    #[inline]
+    pub(super) fn steps(&self, at: &[u32; D]) -> [[Step<S>; 3]; D] {
+        let (mut scale, zero) = (1, S::zero());
+        let mut steps = [[(NOWHERE, zero); 3]; D];
+        for ((step, &c), lane) in steps.iter_mut().zip(at).zip(self.lanes.as_slice().iter()) {
+            let to = |c: Option<u32>, turn| c.map_or((NOWHERE, zero), |c| (c * scale, turn));
+            let first = if c == 0 { lane.length } else { zero };
+            let last = if c + 1 == lane.count { -lane.length } else { zero };
+            *step = [to(lane.below(c), first), (c * scale, zero), to(lane.above(c), last)];
             scale *= lane.count;
         }
         steps
@@ -153,15 +171,16 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
 
     /// The number of the cell with these coordinates.
     fn number(&self, at: &[u32; D]) -> u32 {
-        let cells = at.iter().zip(self.lanes.iter()).rev();
+        let cells = at.iter().zip(self.lanes.as_slice().iter()).rev();
         cells.fold(0, |number, (&c, lane)| number * lane.count + c)
     }
 
     /// The distances from a position to the lower and upper face of its cell along an axis; none where
     /// the cell reaches to infinity.
-    pub(crate) fn faces(&self, cell: u32, axis: usize, x: S) -> [Option<S>; 2] {
-        let (at, lane) = (self.coordinates(cell), self.lanes.get(axis));
-        let (Some(&c), Some(lane)) = (at.get(axis), lane) else { return [None, None] };
+    pub(crate) fn faces(&self, at: &[u32; D], axis: usize, x: S) -> [Option<S>; 2] {
+        let (Some(&c), Some(lane)) = (at.get(axis), self.lanes.as_slice().get(axis)) else {
+            return [None, None];
+        };
         let face = |c: u32| lane.low + lane.width * S::from_count(c);
         let low = lane.below(c).map(|_| x - face(c));
         let high = lane.above(c).map(|_| face(c + 1) - x);
@@ -171,7 +190,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// The cell after a stride, and by how many box lengths along the axis the position must be moved.
     pub(crate) fn stride(&self, cell: u32, stride: Stride) -> Option<(u32, S)> {
         let mut at = self.coordinates(cell);
-        let (c, lane) = (at.get_mut(stride.axis)?, self.lanes.get(stride.axis)?);
+        let (c, lane) = (at.get_mut(stride.axis)?, self.lanes.as_slice().get(stride.axis)?);
         let moved = if stride.up { lane.above(*c)? } else { lane.below(*c)? };
         let turns = match (stride.up, moved) {
             (true, 0) => -S::one(),
@@ -216,8 +235,9 @@ fn extent<S: Scalar, const D: usize>(
     boundary.between_planes(axis, [low, high])
 }
 
-fn lane<S: Scalar>([low, high]: [S; 2], periodic: bool, width: f64) -> Lane<S> {
-    let length = (high - low).to_f64();
+fn lane<S: Scalar>([low, high]: [S; 2], periodic: Option<S>, width: f64) -> Lane<S> {
+    let length = periodic.unwrap_or(high - low).to_f64();
     let count = ((length / width) as u32).clamp(1, 1 << 20);
-    Lane { low, width: S::from_f64(length / f64::from(count)), count, periodic }
+    let width = S::from_f64(length / f64::from(count));
+    Lane { low, width, count, periodic: periodic.is_some(), length: periodic.unwrap_or(S::zero()) }
 }

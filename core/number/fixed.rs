@@ -58,6 +58,9 @@ macro_rules! scalar {
             fn leading_digits(self) -> Self {
                 self
             }
+            fn lattice(_: Self) -> Self {
+                Self::default()
+            }
             fn inverse_fifth_root(self) -> Self {
                 Self::inverse_fifth_root([self])
             }

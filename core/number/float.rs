@@ -68,6 +68,10 @@ macro_rules! float {
             fn leading_digits(self) -> Self {
                 <$t>::from_bits(self.to_bits() & !(((1 as $bits) << ($mantissa - 11)) - 1))
             }
+            fn lattice(size: Self) -> Self {
+                // Between 4 p and 8 p, p the leading binary digit, the last place is four of those at p.
+                <$t>::from_bits(size.to_bits() & !(((1 as $bits) << $mantissa) - 1)) * 6.0
+            }
             fn inverse_fifth_root(self) -> Self {
                 if self <= 0.0 || !self.is_finite() {
                     return if self > 0.0 { 0.0 } else { <$t>::INFINITY };
@@ -91,7 +95,7 @@ macro_rules! float {
     };
 }
 
-float!(f32, u32, libm::sincosf, libm::floorf, libm::frexpf, libm::ldexpf, 23, 2);
+float!(f32, u32, libm::sincosf, libm::floorf, libm::frexpf, libm::ldexpf, 23, 4);
 float!(f64, u64, libm::sincos, libm::floor, libm::frexp, libm::ldexp, 52, 64);
 
 #[cfg(test)]

@@ -92,6 +92,10 @@ pub trait Scalar:
     /// The number cut to its leading twelve binary digits: subtracting it is exact for everything up
     /// to 2¹² times as large.
     fn leading_digits(self) -> Self;
+    /// The number that, added and taken away again, rounds to a lattice of four units in the last place
+    /// of `size`; zero for numbers that are on one anyway. Sums and differences of such positions are
+    /// exact, so a periodic box looks the same from each of its images.
+    fn lattice(size: Self) -> Self;
     /// x^(−1/5) for x > 0, the power in MP13's Eq. (53).
     fn inverse_fifth_root(self) -> Self;
     /// The bits of the value, for a digest.

@@ -59,6 +59,9 @@ pub(super) fn grain<S: Scalar, const D: usize>(
     finite(subject, "velocity", &grain.velocity)
 }
 
+/// What the length of a periodic axis must be.
+pub(super) const LENGTH: &str = "finite, above 0 and at least 4.5 times the largest radius";
+
 /// Every boundary must be one, and they must not contradict each other.
 pub(super) fn space<S: Scalar, const D: usize>(
     boundary: &Boundary<S, D>,
@@ -74,8 +77,7 @@ pub(super) fn space<S: Scalar, const D: usize>(
         let leash = Boundary::<S, D>::leash(&periodic, radius);
         let roomy = leash >= radius * S::from_f32(0.125) && leash > S::zero();
         if !(periodic.low.is_number() && length.is_number() && roomy) {
-            let wanted = "finite, above 0 and at least 4.5 times the largest radius";
-            return Err(Fault::input(Subject::Axis(axis), "length", length.to_f64(), wanted));
+            return Err(Fault::input(Subject::Axis(axis), "length", length.to_f64(), LENGTH));
         }
         let across = |plane: &Plane<S, D>| plane.normal.get(axis).is_some_and(|&n| n != S::zero());
         if let Some(number) = boundary.planes().iter().position(across) {
@@ -106,12 +108,15 @@ pub(super) fn inside<S: Scalar, const D: usize>(
 /// (BSFP14), and the state of another run, written out and read in again, has it.
 pub(super) fn overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Result<(), Fault> {
     for (a, body) in scene.bodies.iter().enumerate() {
-        for b in scene.cells.near(body.cell).filter(|&b| b < a) {
-            let Some(other) = scene.body(b) else { continue };
-            let apart = scene.separation(body, other);
-            let gap = norm(&apart) - (body.radius + other.radius);
-            refuse_overlap(a, body, Partner::grain(b), gap)?;
-        }
+        let mut checked = Ok(());
+        scene.cells.near(body.cell, |b, _| {
+            if let Some(other) = scene.body(b).filter(|_| b < a && checked.is_ok()) {
+                let apart = scene.separation(body, other);
+                let gap = norm(&apart) - (body.radius + other.radius);
+                checked = refuse_overlap(a, body, Partner::grain(b), gap);
+            }
+        });
+        checked?;
         for (p, plane) in scene.boundary.planes().iter().enumerate() {
             refuse_overlap(
                 a,

@@ -1,7 +1,6 @@
 //! Are two worlds the same to the last bit? Reads the whole state; writes one number.
 
 use super::World;
-use crate::event::{Kind, Slot};
 use crate::matter::Body;
 use crate::number::{Scalar, Vector};
 
@@ -23,8 +22,8 @@ impl Fnv {
         v.iter().for_each(|&x| self.number(x));
     }
 
-    fn body<S: Scalar, const D: usize>(&mut self, body: &Body<S, D>) {
-        for v in [&body.position, &body.velocity, &body.release] {
+    fn body<S: Scalar, const D: usize>(&mut self, body: &Body<S, D>, position: &Vector<S, D>) {
+        for v in [position, &body.velocity, &body.release] {
             self.vector(v);
         }
         for x in [body.clock, body.release_at, body.moment, body.radius, body.mass] {
@@ -35,25 +34,14 @@ impl Fnv {
         self.word(u64::from(body.planes));
         self.word(u64::from(body.burst));
     }
-
-    fn slot<S: Scalar>(&mut self, slot: &Slot<S>) {
-        self.number(slot.time);
-        self.word(u64::from(slot.partner.word()));
-        self.word(match slot.kind {
-            Kind::Meet => 0,
-            Kind::Release => 1,
-            Kind::Wander => 2,
-            Kind::Nothing => 3,
-            Kind::TakeOff => 4,
-            Kind::Check => 5,
-        });
-    }
 }
 
 impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
     /// A digest of the whole state: equal states have equal digests on every target.
     ///
-    /// It covers time, gravity, every grain and every pending event, not the counters.
+    /// It covers time, gravity, plates and every grain: its own clock, its state then, the contact it is
+    /// in. Pending events and cells follow from them, and the counters are not covered: worlds that find
+    /// neighbours in different ways have the same digest.
     #[must_use]
     pub fn digest(&self) -> u64 {
         let mut fnv = Fnv(0xcbf2_9ce4_8422_2325);
@@ -64,8 +52,9 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
         fnv.vector(&self.scene.gravity);
         let plates = self.scene.boundary.planes().iter().filter_map(|plane| plane.vibration);
         plates.for_each(|plate| fnv.number(plate.at(self.scene.now).place));
-        self.scene.bodies.iter().for_each(|body| fnv.body(body));
-        self.queue.slots.iter().for_each(|slot| fnv.slot(slot));
+        let boundary = &self.scene.boundary;
+        let inside = |body: &Body<S, D>| boundary.wrap_from_afar(body.position);
+        self.scene.bodies.iter().for_each(|body| fnv.body(body, &inside(body)));
         fnv.0
     }
 }

@@ -46,6 +46,7 @@ pub struct World<'m, S: Scalar, const D: usize, R> {
     pub(crate) rule: R,
     /// Events since the clock was set back.
     pub(crate) since_epoch: u32,
+    pub(crate) wanders: u32,
     /// Events since the mark.
     pub(crate) at_once: u32,
     /// The last instant at which time had visibly moved on.

@@ -33,6 +33,7 @@ pub struct Saved<S: Scalar, const D: usize, B, Q> {
     t_c: S,
     counters: Counters,
     since_epoch: u32,
+    wanders: u32,
     at_once: u32,
     mark: Instant,
     bodies: B,
@@ -53,6 +54,7 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
             t_c: self.scene.t_c,
             counters: self.scene.counters,
             since_epoch: self.since_epoch,
+            wanders: self.wanders,
             at_once: self.at_once,
             mark: self.mark,
             bodies: &*self.scene.bodies,
@@ -85,12 +87,14 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         setup.gravity = saved.gravity;
         let mut world = setup.release(saved.release).tc(saved.t_c).build()?;
         world.scene.bodies.copy_from_slice(bodies);
+        world.scene.held = bodies.iter().filter(|body| body.is_held()).count();
         world.scene.now = saved.now;
         world.scene.epoch = saved.epoch;
         world.scene.boundary.start_epoch(saved.epoch);
         world.scene.take_grid(saved.grid)?;
         world.scene.counters = saved.counters;
-        (world.since_epoch, world.at_once) = (saved.since_epoch, saved.at_once);
+        (world.since_epoch, world.wanders) = (saved.since_epoch, saved.wanders);
+        world.at_once = saved.at_once;
         world.mark = saved.mark;
         world.queue.slots.copy_from_slice(slots);
         world.queue.rebuild();
@@ -150,7 +154,7 @@ fn check_body<S: Scalar, const D: usize>(i: usize, body: &Body<S, D>, now: S) ->
 
 fn check_slot<S: Scalar>(i: usize, slot: &Slot<S>, now: S) -> Result<(), Fault> {
     let idle = slot.kind == Kind::Nothing;
-    let due = slot.time >= now && slot.time < S::NEVER;
+    let due = slot.time >= now && slot.time < S::NEVER && slot.meeting >= slot.time;
     if idle && slot.time == S::NEVER || !idle && due {
         return Ok(());
     }

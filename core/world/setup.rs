@@ -10,7 +10,7 @@ use crate::law::Rule;
 use crate::matter::boundary::MOST_PLANES;
 use crate::matter::cells::Cells;
 use crate::matter::grid::Grid;
-use crate::matter::{Body, Boundary, Grain, Partner, Periodic, Plane, Surface};
+use crate::matter::{Body, Boundary, Grain, Periodic, Plane, Surface, flight};
 use crate::number::{Instant, Scalar, Vector};
 
 /// A setup that has no rule yet, and so cannot start.
@@ -90,9 +90,13 @@ impl<'m, S: Scalar, const D: usize, R> Setup<'m, S, D, R> {
     #[must_use]
     pub fn periodic_axis(mut self, axis: usize, [low, high]: [S; 2]) -> Self {
         let length = high - low;
+        let no =
+            |field, value, wanted| Err(Fault::input(Subject::Axis(axis), field, value, wanted));
         if axis >= D {
-            let wanted = "the number of an axis";
-            self.note(Err(Fault::input(Subject::Axis(axis), "axis", axis as f64, wanted)));
+            self.note(no("axis", axis as f64, "the number of an axis"));
+        }
+        if !(length > S::zero()) {
+            self.note(no("length", length.to_f64(), check::LENGTH));
         }
         self.boundary.set_periodic(axis, Periodic { low, length });
         self
@@ -147,7 +151,7 @@ impl<'m, S: Scalar, const D: usize, R> Setup<'m, S, D, R> {
         let capacity = self.room.capacity();
         let full =
             Fault::Full { knob: "the memory (N of Memory, or the host's vectors)", capacity };
-        if self.count >= capacity.min(Partner::MOST_GRAINS) {
+        if self.count >= capacity.min(Queue::<S>::MOST) {
             return Err(full);
         }
         let place = self.room.bodies.get_mut(self.count).ok_or(full)?;
@@ -189,6 +193,9 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
         self.rule.check()?;
         let mut boundary = self.boundary;
         boundary.start_epoch(Instant::START);
+        for axis in 0..D {
+            boundary.periodic(axis).into_iter().for_each(|p| boundary.set_periodic(axis, p));
+        }
         let Room { bodies, slots, tree, links, heads } = self.room;
         let bodies = bodies.get_mut(..self.count).unwrap_or_default();
         let slots = slots.get_mut(..self.count).unwrap_or_default();
@@ -197,7 +204,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
         let largest_radius = bodies.iter().fold(S::zero(), |r, b| r.larger(b.radius));
         check::space(&boundary, &self.gravity, largest_radius)?;
         for (i, body) in bodies.iter_mut().enumerate() {
-            body.position = boundary.wrap_from_afar(body.position);
+            body.position = boundary.on_lattice(boundary.wrap_from_afar(body.position));
             check::inside(&boundary, i, body)?;
         }
         slots.fill(Slot::EMPTY);
@@ -208,12 +215,14 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
             cells: Cells::new(grid, heads, links),
             boundary,
             gravity: self.gravity,
+            weightless: flight::is_weightless(&self.gravity),
             now: S::zero(),
             epoch: Instant::START,
             largest_radius,
             release: self.release,
             t_c: self.t_c,
             hop: support::hop(&self.gravity, largest_radius),
+            held: 0,
             counters: Counters::default(),
         };
         scene.fill_cells();
@@ -223,6 +232,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
             queue,
             rule: self.rule,
             since_epoch: 0,
+            wanders: 0,
             at_once: 0,
             mark: Instant::START,
         })
@@ -237,6 +247,14 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             self.scene.rein_in(grain);
         }
         predict::next(&self.scene, grain)
+    }
+
+    /// The same for a grain that has just left its cell.
+    pub(super) fn predict_ahead(&mut self, grain: usize, slot: Slot<S>) -> Slot<S> {
+        if self.scene.cells.grid.is_none() {
+            return self.predict(grain);
+        }
+        predict::ahead(&self.scene, grain, slot)
     }
 
     /// Predicts every grain's next event.

@@ -3,6 +3,7 @@
 use super::World;
 use super::watch::{Happening, View, Watch};
 use crate::event::apply::{self, Affected, Deed};
+use crate::event::scene::Scene;
 use crate::event::{Counters, Kind, Slot, order, rest, support};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
@@ -11,6 +12,9 @@ use crate::number::{Instant, Scalar, Vector, all_numbers};
 
 /// Events that a grain can have at one instant, on average, before the world is called stuck.
 const EVENTS_AT_ONCE: u32 = 4096;
+
+/// So many times as many looks around as events end an epoch, too.
+const WANDERS: u32 = 64;
 
 impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// The next event happens; none if nothing will ever happen again.
@@ -65,6 +69,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
                 return Ok(());
             }
             self.set_clocks_back(self.scene.now);
+            self.predict_all();
         }
     }
 
@@ -77,13 +82,20 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let Some((grain, slot)) = self.due(limit) else { return Ok(None) };
         self.move_clock(grain, &slot)?;
         let mut happening =
-            Happening { at: self.now(), grain, partner: slot.partner, kind: slot.kind, deed: None };
+            Happening { at: self.now(), grain, partner: slot.with(), kind: slot.kind, deed: None };
         watch.before(&happening, View { scene: &self.scene });
         let mut affected = Affected::default();
         happening.deed = Some(self.apply(grain, &slot, &mut affected)?);
         self.reschedule(&affected)?;
+        if slot.kind == Kind::Wander {
+            if S::RANGE.is_some() {
+                self.still_a_number(grain)?;
+            }
+            let next = self.predict_ahead(grain, slot);
+            self.queue.set(grain, next);
+        }
         watch.after(&happening, View { scene: &self.scene });
-        self.keep_time();
+        self.keep_time(slot.kind);
         Ok(Some(happening))
     }
 
@@ -116,16 +128,16 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// visibly, by 2^−48 of the world's age, are a fault.
     fn move_clock(&mut self, grain: usize, slot: &Slot<S>) -> Result<(), Fault> {
         self.scene.now = self.scene.now.larger(slot.time);
-        let at = self.now();
-        if at.is_visibly_after(self.mark) {
-            self.mark = at;
-            self.at_once = 0;
-        }
+        self.at_once = self.at_once.saturating_add(1);
         let grains = u32::try_from(self.scene.bodies.len()).unwrap_or(u32::MAX);
-        if self.at_once >= EVENTS_AT_ONCE.saturating_mul(grains) {
-            return Err(Fault::Stuck { grain, with: slot.partner, at, events: self.at_once });
+        if self.at_once <= EVENTS_AT_ONCE.saturating_mul(grains) {
+            return Ok(());
         }
-        self.at_once += 1;
+        let (at, events) = (self.now(), self.at_once);
+        if !at.is_visibly_after(self.mark) {
+            return Err(Fault::Stuck { grain, with: slot.with(), at, events });
+        }
+        (self.mark, self.at_once) = (at, 0);
         Ok(())
     }
 
@@ -141,7 +153,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             Kind::Release => Ok(apply::release(scene, grain, affected)),
             Kind::TakeOff => Ok(rest::take_off(scene, grain, affected)),
             Kind::Check => Ok(rest::check(scene, grain, affected)),
-            Kind::Wander | Kind::Nothing => Ok(apply::wander(scene, grain, slot.stamp, affected)),
+            Kind::Wander | Kind::Nothing => Ok(apply::wander(scene, grain, slot.face)),
         }
     }
 
@@ -149,56 +161,66 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// computed with. What lies on a grain that was at rest until now looks whether it is still held.
     fn reschedule(&mut self, affected: &Affected) -> Result<(), Fault> {
         for &grain in &affected.again {
-            if let Some(field) = self.scene.body(grain).and_then(apply::broken) {
-                return Err(match S::RANGE {
-                    Some(most) => Fault::overflow(Subject::Grain(grain), field, most.to_f64()),
-                    None => Fault::NotFinite { grain, field, at: self.now() },
-                });
-            }
+            self.still_a_number(grain)?;
             let slot = self.predict(grain);
             self.queue.set(grain, slot);
         }
         for &grain in &affected.woken {
             let cell = self.scene.body(grain).map_or(0, |body| body.cell);
-            for k in self.scene.cells.near(cell) {
-                if support::lies_on(&self.scene, k, grain) {
-                    self.queue.set(k, Slot::alone(self.scene.now, Kind::Check));
+            let (scene, queue) = (&self.scene, &mut self.queue);
+            scene.cells.near(cell, |k, _| {
+                if support::lies_on(scene, k, grain) {
+                    queue.set(k, Slot::alone(scene.now, Kind::Check));
                 }
-            }
+            });
         }
         Ok(())
     }
 
-    /// Sets the clocks back by the leading digits of now once enough events have happened, so that times stay
-    /// small and their last place fine. The subtraction is exact for every event near enough to
-    /// matter; those further off are predicted anew.
-    fn keep_time(&mut self) {
-        self.since_epoch = self.since_epoch.saturating_add(1);
-        let enough = S::EVENTS_PER_EPOCH.saturating_mul(self.scene.bodies.len() as u32);
-        let soon = self.since_epoch < enough.saturating_add(8) && !(self.scene.now > S::LATE);
-        if soon || !(self.scene.now > S::zero()) {
-            return;
-        }
-        let back = self.scene.now.leading_digits();
-        self.set_clocks_back(back);
-        let far = back * S::from_f32(4096.0);
-        for grain in 0..self.scene.bodies.len() {
-            let time = self.queue.slot(grain).time;
-            if time > far && time < S::NEVER {
-                let slot = self.predict(grain);
-                self.queue.set(grain, slot);
+    /// Whether a grain can still be computed with: now, too, if its number type has a range to leave.
+    fn still_a_number(&self, grain: usize) -> Result<(), Fault> {
+        let (scene, at) = (&self.scene, self.now());
+        let broken = match S::RANGE {
+            Some(_) => apply::broken(&scene.present(grain)),
+            None => scene.body(grain).and_then(apply::broken),
+        };
+        match (broken, S::RANGE) {
+            (None, _) => Ok(()),
+            (Some(field), None) => Err(Fault::NotFinite { grain, field, at }),
+            (Some(field), Some(most)) => {
+                Err(Fault::overflow(Subject::Grain(grain), field, most.to_f64()))
             }
         }
     }
 
-    /// Every grain flies to the present; the epoch moves on by `back`, every time stays the same instant.
+    /// Sets the clocks back by the leading digits of now once enough events have happened, so that times
+    /// stay small and their last place fine, and predicts everything anew from there.
+    ///
+    /// Looks around are no events here, unless there is little else: when clocks are set back must not
+    /// depend on how neighbours are found.
+    fn keep_time(&mut self, kind: Kind) {
+        let count = if kind == Kind::Wander { &mut self.wanders } else { &mut self.since_epoch };
+        *count = count.saturating_add(1);
+        let grains = u32::try_from(self.scene.bodies.len()).unwrap_or(u32::MAX);
+        let enough = S::EVENTS_PER_EPOCH.saturating_mul(grains).saturating_add(8);
+        let due = self.since_epoch >= enough || self.wanders >= enough.saturating_mul(WANDERS);
+        let late = self.scene.now > S::LATE;
+        if !((due || late) && self.scene.now > S::zero()) {
+            return;
+        }
+        self.set_clocks_back(self.scene.now.leading_digits());
+        self.predict_all();
+    }
+
+    /// Every grain flies to the present; the epoch moves on by `back`. All events must be predicted anew.
     fn set_clocks_back(&mut self, back: S) {
-        self.since_epoch = 0;
+        (self.since_epoch, self.wanders) = (0, 0);
         self.scene.counters.epochs += 1;
         let now = self.scene.now - back;
-        let field = Field { gravity: &self.scene.gravity, boundary: &self.scene.boundary };
-        for body in self.scene.bodies.iter_mut() {
-            flight::advance(body, field, self.scene.now);
+        let Scene { bodies, gravity, weightless, boundary, now: present, .. } = &mut self.scene;
+        let field = Field { gravity, weightless: *weightless, boundary };
+        for body in bodies.iter_mut() {
+            flight::advance(body, field, *present);
             body.clock = now;
             if body.release_at < S::NEVER {
                 body.release_at -= back;
@@ -207,9 +229,6 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
                 let moment = body.moment - back;
                 body.moment = if moment.is_number() { moment } else { -S::NEVER };
             }
-        }
-        for slot in self.queue.slots.iter_mut().filter(|slot| slot.time < S::NEVER) {
-            slot.time -= back;
         }
         self.scene.now = now;
         self.scene.epoch = self.scene.epoch + Instant::from(back);
@@ -229,10 +248,12 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         self.set_clocks_back(self.scene.now);
         self.at_once = 0;
         self.scene.gravity = gravity;
+        self.scene.weightless = flight::is_weightless(&gravity);
         self.scene.hop = support::hop(&gravity, self.scene.largest_radius);
         for body in self.scene.bodies.iter_mut() {
             *body = body.let_go();
         }
+        self.scene.held = 0;
         self.predict_all();
         Ok(())
     }

@@ -38,7 +38,7 @@ impl<S: Scalar, const D: usize> Storage<S, D> {
             slots: vec![Slot::default(); grains],
             tree: vec![0; grains],
             links: vec![Link::default(); grains],
-            heads: vec![0; grains],
+            heads: vec![0; 2 * grains],
         }
     }
 }

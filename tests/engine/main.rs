@@ -5,6 +5,7 @@ mod contact;
 mod corners;
 mod faults;
 mod gas;
+mod neighbours;
 mod plates;
 mod rest;
 mod rooms;

@@ -185,7 +185,8 @@ fn hostile_snapshots_are_refused() {
         ("\"normal\":[1.0,0.0]", "\"normal\":[7.0,0.0]"),
         ("\"collisions\":1", "\"collisions\":18446744073709551615"),
         ("\"kind\":\"Release\"", "\"kind\":\"Nothing\""),
-        ("\"kind\":\"Release\",\"partner\":4294967295", "\"kind\":\"Release\",\"partner\":0"),
+        ("\"partner\":4294967295,\"stamp\":0,\"kind\"", "\"partner\":0,\"stamp\":0,\"kind\""),
+        ("\"meeting\":1.7976931348623157e+308", "\"meeting\":1.0"),
         ("\"cell\":0", "\"cell\":77"),
     ];
     for (old, new) in refused {

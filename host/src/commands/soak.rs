@@ -44,7 +44,7 @@ const LINES: u64 = 10;
 /// What the engine says, or what it should not have done.
 pub fn run(options: &Options) -> Result<()> {
     let Options { collisions, restitution, grains, density, seed } = *options;
-    let fluid = Fluid { grains: grains as usize, density, restitution, seed };
+    let fluid = Fluid { restitution, seed, ..Fluid::elastic(grains as usize, density) };
     let mut out = std::io::stdout().lock();
     writeln!(out, "{grains} hard spheres, density {density}, restitution {restitution}")?;
     writeln!(out, "  {:>12}  {:>11}  {:>13}  time", "collisions", "wall s", "energy/grain")?;

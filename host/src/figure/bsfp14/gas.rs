@@ -43,6 +43,11 @@ impl Seen {
         (mean, (self.squares / count - mean * mean).max(0.0).sqrt())
     }
 
+    /// Which gas it is.
+    pub fn name(&self) -> String {
+        format!("ε = {}, ρ = {}", self.restitution, self.density)
+    }
+
     /// The most frequent excess, in floating-point numbers.
     pub fn mode(&self) -> i32 {
         let most = (-REACH..).zip(&self.histogram).max_by_key(|(_, count)| **count);
@@ -91,23 +96,21 @@ pub fn run(
     Ok(seen)
 }
 
-/// Runs gases of `grains` grains at all densities and coefficients of restitution, several at once.
+/// Densities of the paper's gases.
+pub const DENSITIES: [f64; 3] = [0.1, 0.5, 0.9];
+
+/// Runs gases like `fluid` at all densities and at these coefficients of restitution, several at once.
 ///
 /// # Errors
 /// What the engine says.
-pub fn all(
-    id: &str,
-    grains: usize,
-    [densities, restitutions]: [&[f64]; 2],
-    collisions: u64,
-) -> Result<Vec<Seen>> {
-    let gases = (densities.len() * restitutions.len()) as u64;
+pub fn all(id: &str, fluid: &Fluid, restitutions: &[f64], collisions: u64) -> Result<Vec<Seen>> {
+    let gases = (DENSITIES.len() * restitutions.len()) as u64;
     let progress = Progress::new(id, gases * collisions);
     let start = |density: &f64| {
-        let fluid = Fluid::elastic(grains, *density);
+        let fluid = Fluid { density: *density, ..*fluid };
         Ok((fluid, fluid.equilibrium::<3>(20)?))
     };
-    let starts = densities.par_iter().map(start).collect::<Result<Vec<_>>>()?;
+    let starts = DENSITIES.par_iter().map(start).collect::<Result<Vec<_>>>()?;
     let points: Vec<_> =
         starts.iter().flat_map(|start| restitutions.iter().map(move |e| (start, *e))).collect();
     let gas = |((fluid, start), restitution): &(&(Fluid, Vec<Grain<f64, 3>>), f64)| {

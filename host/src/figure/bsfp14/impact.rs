@@ -2,19 +2,20 @@
 
 use super::gas::{self, REACH, Seen};
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};
+use crate::figure::hard::Fluid;
 use crate::figure::{Figure, Made, Note, Options, Series};
 use crate::plot::{Colour, colour};
 use anyhow::Result;
 
 const RESTITUTIONS: [f64; 3] = [1.0, 0.9, 0.5];
-const DENSITIES: [f64; 3] = [0.1, 0.5, 0.9];
 /// N of the paper.
 const GRAINS: usize = 13_500;
 
 /// Makes the figure: one histogram for each density and coefficient of restitution.
 pub fn make(options: &Options) -> Result<Made> {
     let collisions = if options.full { 1_000_000_000 } else { 150_000 };
-    let seen = gas::all("bsfp14-3", GRAINS, [&DENSITIES, &RESTITUTIONS], collisions)?;
+    let fluid = Fluid::elastic(GRAINS, 0.5);
+    let seen = gas::all("bsfp14-3", &fluid, &RESTITUTIONS, collisions)?;
     let axes = ["|r| − σ [floating-point numbers from σ]", "share of impacts"];
     let mut figure = Figure::new("bsfp14-3", axes);
     let mut notes = Vec::new();
@@ -37,7 +38,7 @@ fn series(seen: &Seen) -> Series {
     let Seen { restitution, density, overlaps, .. } = seen;
     let (mean, deviation) = seen.moments();
     let count = overlaps.impacts as f64;
-    let mut series = Series::new(format!("ε = {restitution}, ρ = {density}"))
+    let mut series = Series::new(seen.name())
         .param("eps", *restitution)
         .param("density", *density)
         .param("impacts", count)
@@ -52,7 +53,7 @@ fn series(seen: &Seen) -> Series {
 }
 
 fn note(seen: &Seen) -> Note {
-    let Seen { restitution, density, overlaps, .. } = seen;
+    let overlaps = &seen.overlaps;
     let (mean, deviation) = seen.moments();
     let share = 100.0 * overlaps.overlapping as f64 / overlaps.impacts as f64;
     let ours = format!(
@@ -60,8 +61,7 @@ fn note(seen: &Seen) -> Note {
         seen.mode(),
         -overlaps.deepest
     );
-    let what = format!("ε = {restitution}, ρ = {density}");
-    Note::new(what, "mean and mode at σ; about half overlap", ours)
+    Note::new(seen.name(), "mean and mode at σ; about half overlap", ours)
 }
 
 /// One colour a density, paler the more dissipative.

@@ -1,6 +1,6 @@
 //! How does a fluid of equal hard spheres start? Reads number, density and seed; writes grains on a lattice, and a world of them.
 //!
-//! Units: diameter σ, mass and kT at the start are 1. The box is periodic and centred on the origin.
+//! Units: diameter σ, mass and kT at the start are 1. The box is periodic.
 
 mod gauge;
 mod measure;
@@ -35,12 +35,15 @@ pub struct Fluid {
     pub restitution: f64,
     /// Of the velocities.
     pub seed: u64,
+    /// The middle of the box along each axis: 0, or far away, where floating-point numbers are far
+    /// apart, to make positions as coarse as one likes.
+    pub middle: f64,
 }
 
 impl Fluid {
     /// An elastic fluid.
     pub const fn elastic(grains: usize, density: f64) -> Self {
-        Self { grains, density, restitution: 1.0, seed: 1 }
+        Self { grains, density, restitution: 1.0, seed: 1, middle: 0.0 }
     }
 
     /// The length of the box.
@@ -65,7 +68,8 @@ impl Fluid {
         );
         let sites = (0..(2 * half).pow(D as u32)).map(|site| coordinates::<D>(site, 2 * half));
         let even = sites.filter(|at| at.iter().sum::<usize>() % 2 == 0);
-        let place = |at: [usize; D]| at.map(|c| step * (c as f64 + 0.25) - length / 2.0);
+        let place =
+            |at: [usize; D]| at.map(|c| step * (c as f64 + 0.25) - length / 2.0 + self.middle);
         let grain = |(at, v)| Grain::with_mass(0.5, 1.0).at(place(at)).moving(v);
         Ok(even.zip(self.velocities::<D>()).map(grain).collect())
     }
@@ -93,7 +97,8 @@ impl Fluid {
         grains: impl IntoIterator<Item = Grain<f64, D>>,
     ) -> Result<Spheres<'m, D>> {
         let half = self.length::<D>() / 2.0;
-        let setup = World::setup(storage).periodic([[-half, half]; D]);
+        let sides = [self.middle - half, self.middle + half];
+        let setup = World::setup(storage).periodic([sides; D]);
         let rule = HardSphere { restitution: self.restitution };
         Ok(setup.rule(rule).grains(grains)?.start()?)
     }

@@ -6,7 +6,7 @@ use super::fit;
 use super::layer::Layer;
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};
 use crate::figure::{Figure, Made, Note, Options, Progress, Series};
-use crate::reference::ForceLaw;
+use crate::reference::{ForceLaw, ReferenceError};
 use anyhow::Result;
 use rayon::prelude::*;
 
@@ -18,6 +18,19 @@ pub const fn wide(sigma: f64, tangential: f64, seed: u64) -> Layer {
     let (speed, contact_time) = (0.1, 1e-5);
     let gap = sigma * speed * contact_time;
     Layer { rows: 10, diameter: 1e-3, speed, gap, restitution: 0.9, contact_time, tangential, seed }
+}
+
+/// From this σ on layers are dealt with contact by contact: in steps, nearly all of them would be in
+/// free flight.
+const APART: f64 = 2.0;
+
+/// ε_eff of a wide layer: in steps where it is dense, contact by contact where it is not.
+fn hit(sigma: f64, tangential: f64, seed: u64, patience: [f64; 2]) -> Result<f64, ReferenceError> {
+    let layer = wide(sigma, tangential, seed);
+    match sigma < APART {
+        true => layer.collide(50.0, patience),
+        false => layer.collide_exactly(patience),
+    }
 }
 
 /// L94 Fig. 4a: ε_eff against σ.
@@ -33,7 +46,7 @@ pub fn make_a(options: &Options) -> Result<Made> {
     for tangential in TANGENTIAL {
         let one = |&sigma: &f64| -> Result<[f64; 2]> {
             let run = |seed| {
-                let eps = wide(sigma, tangential, seed).collide(50.0, patience);
+                let eps = hit(sigma, tangential, seed, patience);
                 progress.add(1);
                 eps
             };

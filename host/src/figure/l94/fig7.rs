@@ -8,25 +8,30 @@ use anyhow::{Result, ensure};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-const BEADS: usize = 10;
+/// N of the paper.
+pub const BEADS: usize = 10;
+/// More of them, at the same X: what Eq. (10) is for.
+pub const MANY: usize = 40;
+/// X = N (1 − ε), of N = 10 beads with ε = 0.92.
+const DISSIPATION: f64 = 0.8;
 const DIAMETER: f64 = 1e-3;
 const FREQUENCY: f64 = 20.0;
-const RESTITUTION: f64 = 0.92;
 const CONTACT_TIME: f64 = 1e-4;
 /// Reduced accelerations.
-pub const AGITATIONS: [f64; 6] = [5.0, 7.5, 10.0, 15.0, 20.0, 30.0];
-/// Periods before averaging begins.
-const TRANSIENT: usize = 200;
-const SAMPLES_PER_PERIOD: usize = 12;
+pub const AGITATIONS: [f64; 7] = [5.0, 7.5, 10.0, 15.0, 20.0, 30.0, 40.0];
+/// From here on (h_cm − h_cm0)/(A_0 ω)² depends on α no more: the strong agitation that Eq. (10) is for.
+pub const STRONG: f64 = 20.0;
+/// Harmonics of the plate's motion up to the third cancel.
+const SAMPLES_PER_PERIOD: usize = 4;
 /// Parts of a run that count as independent.
 const BLOCKS: usize = 16;
 
-/// The paper's column at a reduced acceleration α.
-pub fn column(agitation: f64) -> Shaken {
+/// The paper's column at a reduced acceleration α, or one of more beads at the same X.
+pub fn column(agitation: f64, beads: usize) -> Shaken {
     Shaken {
-        beads: BEADS,
+        beads,
         diameter: DIAMETER,
-        restitution: RESTITUTION,
+        restitution: 1.0 - DISSIPATION / beads as f64,
         contact_time: CONTACT_TIME,
         amplitude: Shaken::amplitude_for(FREQUENCY, agitation),
         frequency: FREQUENCY,
@@ -36,30 +41,42 @@ pub fn column(agitation: f64) -> Shaken {
 
 /// h_cm − h_cm0 after L94 Eq. (10).
 pub fn theory(agitation: f64) -> f64 {
-    let x = BEADS as f64 * (1.0 - RESTITUTION);
+    let x = DISSIPATION;
     let phi = 1.0 - 0.098 * x - 0.073 * x * x;
     let speed = Shaken::amplitude_for(FREQUENCY, agitation) * TAU * FREQUENCY;
     4.0 / 3.0 * speed * speed / GRAVITY * phi / x
+}
+
+/// For how many periods a column is watched: a flight takes about α/10 of them, and events are what costs.
+pub fn periods(method: &str, beads: usize, agitation: f64, full: bool) -> usize {
+    let per_agitation = match (method, beads) {
+        ("MD", _) => 250.0,
+        ("eMD*", _) => 1_000.0,
+        (_, BEADS) => 2_500.0,
+        _ => 100.0,
+    };
+    (agitation * per_agitation * if full { 10.0 } else { 1.0 }) as usize
 }
 
 /// Mean and standard error of h_cm − h_cm0 over so many periods.
 ///
 /// # Errors
 /// What the method says.
-pub fn risen(method: &str, agitation: f64, periods: usize) -> Result<[f64; 2]> {
-    let column = column(agitation);
-    let samples = (TRANSIENT + periods) * SAMPLES_PER_PERIOD;
+pub fn risen(method: &str, beads: usize, agitation: f64, periods: usize) -> Result<[f64; 2]> {
+    let column = column(agitation, beads);
+    let transient = (20.0 * agitation).max(200.0) as usize;
+    let samples = (transient + periods) * SAMPLES_PER_PERIOD;
     let sample = 1.0 / (FREQUENCY * SAMPLES_PER_PERIOD as f64);
     let times: Vec<f64> = (1..=samples).map(|k| sample * k as f64).collect();
     let heights = match method {
         "ED" => column.by_ed(&times)?.0,
         "eMD*" => column.by_star(&times)?.0,
-        _ => column.by_md(&times, 50.0)?,
+        _ => column.by_exact_md(&times)?,
     };
     ensure!(heights.len() == samples, "{method}: too many events at α = {agitation}");
-    let rest = 0.5 * BEADS as f64 * DIAMETER;
-    let centre = |row: &Vec<f64>| row.iter().sum::<f64>() / BEADS as f64 - rest;
-    let all: Vec<f64> = heights[TRANSIENT * SAMPLES_PER_PERIOD..].iter().map(centre).collect();
+    let rest = 0.5 * beads as f64 * DIAMETER;
+    let centre = |row: &Vec<f64>| row.iter().sum::<f64>() / beads as f64 - rest;
+    let all: Vec<f64> = heights[transient * SAMPLES_PER_PERIOD..].iter().map(centre).collect();
     let block = all.len() / BLOCKS;
     let means: Vec<f64> = all.chunks_exact(block).map(|part| fit::mean(part)[0]).collect();
     Ok(fit::mean(&means))
@@ -70,26 +87,29 @@ pub fn risen(method: &str, agitation: f64, periods: usize) -> Result<[f64; 2]> {
 /// # Errors
 /// What a method says.
 pub fn make(options: &Options) -> Result<Made> {
-    let periods = if options.full { 20_000 } else { 1_600 };
-    let methods = ["MD", "ED", "eMD*"];
-    let progress = Progress::new("l94-7", (methods.len() * AGITATIONS.len()) as u64);
+    let curves = [("MD", BEADS), ("ED", BEADS), ("eMD*", BEADS), ("ED", MANY)];
+    let progress = Progress::new("l94-7", (curves.len() * AGITATIONS.len()) as u64);
     let mut figure = Figure::new("l94-7", ["α = A0 ω²/g", "h_cm - h_cm0 (m)"]);
-    for method in methods {
+    for (method, beads) in curves {
         let one = |&agitation: &f64| {
-            let found = risen(method, agitation, periods);
+            let periods = periods(method, beads, agitation, options.full);
+            let found = risen(method, beads, agitation, periods);
             progress.add(1);
             found
         };
         let found: Vec<[f64; 2]> = AGITATIONS.par_iter().map(one).collect::<Result<_>>()?;
-        let mut series = Series::new(method).param("method", method).param("eps", RESTITUTION);
+        let mut series = Series::new(format!("{method}, N = {beads}"))
+            .param("method", method)
+            .param("beads", beads as f64)
+            .param("eps", 1.0 - DISSIPATION / beads as f64);
         AGITATIONS.iter().zip(found).for_each(|(a, [y, e])| series.push_with_error(*a, y, e));
         figure = figure.with(series);
     }
     let notes = (0..AGITATIONS.len()).map(|k| note(&figure, k)).collect();
-    let curve = (8..=64).map(|k| 0.5 * f64::from(k)).map(|a| [a, theory(a)]).collect();
-    let look = Look::new("A shaken column: *N* = 10, ε = 0.92, *f* = 20 Hz (L94 Fig. 7)")
+    let curve = (8..=84).map(|k| 0.5 * f64::from(k)).map(|a| [a, theory(a)]).collect();
+    let look = Look::new("A shaken column: *N* (1 − ε) = 0.8, *f* = 20 Hz (L94 Fig. 7)")
         .labels("α = *A*_{0}ω^{2}/*g*", "*h*_{cm} − *h*_{cm0} [m]")
-        .scales(Scale::LINEAR.from(0.0, 32.0), Scale::LINEAR)
+        .scales(Scale::LOG.from(4.0, 50.0), Scale::LOG)
         .kinds(&[Kind::Dots])
         .mark(Mark::Curve(curve, "paper: Eq. (10)".to_owned()));
     let picture = draw::draw(&figure, &look);
@@ -97,8 +117,13 @@ pub fn make(options: &Options) -> Result<Made> {
 }
 
 fn note(figure: &Figure, k: usize) -> Note {
-    let value = |s: &Series| format!("{} {:.5} ± {:.5}", s.name, s.y[k], s.yerr[k]);
+    let theory = theory(AGITATIONS[k]);
+    let value = |s: &Series| {
+        let [y, e] = [s.y[k], s.yerr[k]].map(|y| 100.0 * y / theory);
+        format!("{} {:+.1} ± {e:.1} %", s.name, y - 100.0)
+    };
     let ours: Vec<String> = figure.series.iter().map(value).collect();
-    let says = format!("Eq. (10): {:.5}", theory(AGITATIONS[k]));
-    Note::new(format!("h_cm - h_cm0 at α = {}", AGITATIONS[k]), says, ours.join(", "))
+    let says = format!("Eq. (10): {theory:.5} m");
+    let what = format!("h_cm - h_cm0 at α = {}, against Eq. (10)", AGITATIONS[k]);
+    Note::new(what, says, ours.join(", "))
 }

@@ -11,13 +11,13 @@ use carom::matter::{Plane, Surface};
 use carom::{Fault, Grain, World};
 use carom_tables::End;
 
-/// More events than a column on a plate should need.
-const MOST_EVENTS: u64 = 2_000_000;
+/// More events than a column on a plate should need, in all and for each sample.
+const MOST_EVENTS: [u64; 2] = [2_000_000, 2_000];
 
 /// More events than any impact on a wall needs.
 const LONGEST: u64 = 20_000_000;
-/// Between two samples the number of events is looked at so often.
-const SLICES: u32 = 64;
+/// The number of events is looked at so often, but no more than 64 times between two samples.
+const LOOKS: usize = 16_384;
 
 /// How contacts are dealt with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +87,7 @@ pub fn heights(column: &Column, law: &ForceLaw, way: Way, times: &[f64]) -> Resu
 
 /// Where the grains of a world are at given times, and what was counted until the last of them.
 ///
-/// The list ends early where the engine needs more than a few million events.
+/// The list ends early where the engine needs more than two million events, and more than two thousand a sample.
 ///
 /// # Errors
 /// A fault of the engine.
@@ -101,12 +101,14 @@ pub fn counted<R: Rule<f64>>(
 
 fn sampled<R: Rule<f64>>(world: &mut World<'_, f64, 1, R>, times: &[f64]) -> Result<Vec<Vec<f64>>> {
     let (mut rows, mut before) = (Vec::new(), 0.0);
+    let slices = (LOOKS / times.len().max(1)).clamp(1, 64);
+    let most = MOST_EVENTS[0].max(MOST_EVENTS[1] * times.len() as u64);
     for t in times {
-        for slice in 1..=SLICES {
-            let part = f64::from(slice) / f64::from(SLICES);
-            world.advance_to(if slice == SLICES { *t } else { before + (t - before) * part })?;
+        for slice in 1..=slices {
+            let part = slice as f64 / slices as f64;
+            world.advance_to(if slice == slices { *t } else { before + (t - before) * part })?;
             let Counters { collisions, plane_collisions, interrupted, .. } = *world.counters();
-            if collisions + plane_collisions + interrupted > MOST_EVENTS {
+            if collisions + plane_collisions + interrupted > most {
                 return Ok(rows);
             }
         }

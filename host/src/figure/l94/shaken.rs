@@ -2,7 +2,7 @@
 
 use super::hard;
 use crate::integrated::Integrated;
-use crate::reference::{Boundary, End, ForceLaw, Gear, Grain, Plate, System, VerletOptions};
+use crate::reference::{Boundary, End, Exact, ForceLaw, Gear, Grain, Plate, System, VerletOptions};
 use crate::storage::Storage;
 use anyhow::Result;
 use carom::event::Counters;
@@ -58,11 +58,7 @@ impl Shaken {
         Ok(ForceLaw::spring_of(1.0, self.contact_time, self.restitution)?)
     }
 
-    /// Heights of all beads at given times by MD, with L94's integrator in so many steps per contact.
-    ///
-    /// # Errors
-    /// As [`Gear::advance_to`].
-    pub fn by_md(&self, times: &[f64], steps: f64) -> Result<Vec<Vec<f64>>> {
+    fn system(&self) -> Result<System<1>> {
         let plate =
             Plate { amplitude: self.amplitude, frequency: self.frequency, ..Plate::fixed(0.0) };
         let bead = |z: f64| Grain {
@@ -72,9 +68,29 @@ impl Shaken {
             velocity: [0.0],
         };
         let grains = self.places().map(bead).collect();
-        let system = System::new(grains, [Boundary::Plate(plate)], [-GRAVITY])?;
+        Ok(System::new(grains, [Boundary::Plate(plate)], [-GRAVITY])?)
+    }
+
+    /// Heights of all beads at given times by MD, with L94's integrator in so many steps per contact.
+    ///
+    /// # Errors
+    /// As [`Gear::advance_to`].
+    pub fn by_md(&self, times: &[f64], steps: f64) -> Result<Vec<Vec<f64>>> {
         let options = VerletOptions { steps_per_contact: steps, ..VerletOptions::default() };
-        let mut run = Gear::new(&system, self.law()?, End::Overlap, options)?;
+        let mut run = Gear::new(&self.system()?, self.law()?, End::Overlap, options)?;
+        let at = |t: &f64| {
+            run.advance_to(*t)?;
+            Ok((0..self.beads).map(|i| run.position(i)[0]).collect())
+        };
+        times.iter().map(at).collect()
+    }
+
+    /// The same by MD that is exact to about 12 digits, contact by contact: cheaper where contacts are few.
+    ///
+    /// # Errors
+    /// As [`Exact::advance_to`].
+    pub fn by_exact_md(&self, times: &[f64]) -> Result<Vec<Vec<f64>>> {
+        let mut run = Exact::new(self.system()?, self.law()?, End::Overlap)?;
         let at = |t: &f64| {
             run.advance_to(*t)?;
             Ok((0..self.beads).map(|i| run.position(i)[0]).collect())

@@ -4,6 +4,7 @@ use super::super::error::ReferenceError;
 use super::super::law::{End, ForceLaw};
 use super::super::system::{Grain, System};
 use super::super::vector::{Vector, length, plus};
+use super::until::{self, Steps};
 use super::{Counters, Verlet, VerletOptions};
 
 /// Gear's corrector for r̈ = f(r, ṙ) with six values (Allen & Tildesley, Computer Simulation of
@@ -99,26 +100,15 @@ impl<const D: usize> Gear<D> {
     ///
     /// As [`Verlet::advance_to`].
     pub fn advance_to(&mut self, t: f64) -> Result<(), ReferenceError> {
-        if !(t.is_finite() && t >= self.state.now) {
-            return Err(ReferenceError::parameter("t", t, "finite and at least the present time"));
-        }
-        while self.state.now < t {
-            let left = t - self.state.now;
-            let count = (left / self.state.step).ceil().max(1.0);
-            let done = self.run(count as u64, left / count);
-            let state = &mut self.state;
-            state.now =
-                if done == count as u64 { t } else { state.now + done as f64 * left / count };
-            state.clock = state.now;
-            if !state.fastest.is_finite() {
-                let why = "its velocity is no longer finite";
-                return Err(ReferenceError::Unresolved { time: state.now, grain: 0, why });
-            }
-        }
-        Ok(())
+        until::advance(self, t)
+    }
+}
+
+impl<const D: usize> Steps<D> for Gear<D> {
+    fn state(&mut self) -> &mut Verlet<D> {
+        &mut self.state
     }
 
-    /// Up to `count` steps of length h; fewer if the step must shrink.
     fn run(&mut self, count: u64, h: f64) -> u64 {
         self.rescale(h);
         for done in 1..=count {
@@ -133,7 +123,9 @@ impl<const D: usize> Gear<D> {
         }
         count
     }
+}
 
+impl<const D: usize> Gear<D> {
     /// Takes the derivatives to another step. One that is much longer or shorter would carry their
     /// errors along as a high power of the ratio: there the history is dropped instead.
     fn rescale(&mut self, h: f64) {

@@ -12,6 +12,7 @@ use super::error::{ReferenceError, positive};
 use super::law::{End, ForceLaw};
 use super::system::{Boundary, Grain, System};
 use super::vector::{Vector, length, plus};
+use until::Steps;
 
 /// How finely, and with which list.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -225,24 +226,15 @@ impl<const D: usize> Verlet<D> {
     /// [`ReferenceError::Parameter`] if t is before now or not finite,
     /// [`ReferenceError::Unresolved`] if a velocity is no longer finite.
     pub fn advance_to(&mut self, t: f64) -> Result<(), ReferenceError> {
-        if !(t.is_finite() && t >= self.now) {
-            return Err(ReferenceError::parameter("t", t, "finite and at least the present time"));
-        }
-        while self.now < t {
-            let left = t - self.now;
-            let count = (left / self.step).ceil().max(1.0);
-            let done = self.run(count as u64, left / count);
-            self.now = if done == count as u64 { t } else { self.now + done as f64 * left / count };
-            self.clock = self.now;
-            if !self.fastest.is_finite() {
-                let why = "its velocity is no longer finite";
-                return Err(ReferenceError::Unresolved { time: self.now, grain: 0, why });
-            }
-        }
-        Ok(())
+        until::advance(self, t)
+    }
+}
+
+impl<const D: usize> Steps<D> for Verlet<D> {
+    fn state(&mut self) -> &mut Self {
+        self
     }
 
-    /// Up to `count` steps of length h, from and to a full step; fewer if the step must shrink.
     fn run(&mut self, count: u64, h: f64) -> u64 {
         self.kick(0.5 * h);
         for done in 1..=count {
@@ -258,7 +250,9 @@ impl<const D: usize> Verlet<D> {
         }
         count
     }
+}
 
+impl<const D: usize> Verlet<D> {
     fn drift(&mut self, h: f64) {
         let velocities = self.velocities.as_flattened();
         for (r, v) in self.positions.as_flattened_mut().iter_mut().zip(velocities) {

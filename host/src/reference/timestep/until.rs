@@ -1,8 +1,53 @@
-//! When may a run in fixed steps stop? Reads contacts and free flights; goes on until nothing more comes.
+//! How far does a run in fixed steps go? Reads a time, or contacts and free flights; goes on until then, or until nothing more comes.
 
 use super::super::error::ReferenceError;
 use super::super::quiet::{Quiet, Stop, all_apart};
 use super::{Gear, Verlet};
+
+/// Molecular dynamics in fixed steps, by whatever scheme.
+pub(super) trait Steps<const D: usize> {
+    /// Positions, velocities and clock.
+    fn state(&mut self) -> &mut Verlet<D>;
+
+    /// Up to `count` steps of length h, from and to a full step; fewer if the step must shrink.
+    fn run(&mut self, count: u64, h: f64) -> u64;
+}
+
+/// Goes on to time t in equal steps, none longer than the scheme's own.
+pub(super) fn advance<const D: usize>(
+    scheme: &mut impl Steps<D>,
+    t: f64,
+) -> Result<(), ReferenceError> {
+    if !(t.is_finite() && t >= scheme.state().now) {
+        return Err(ReferenceError::parameter("t", t, "finite and at least the present time"));
+    }
+    while scheme.state().now < t {
+        let left = t - scheme.state().now;
+        let count = (left / scheme.state().step).ceil().max(1.0);
+        let done = scheme.run(count as u64, left / count);
+        let state = scheme.state();
+        state.now = if done == count as u64 { t } else { state.now + done as f64 * left / count };
+        state.clock = state.now;
+        if !state.fastest.is_finite() {
+            let why = "its velocity is no longer finite";
+            return Err(ReferenceError::Unresolved { time: state.now, grain: 0, why });
+        }
+    }
+    Ok(())
+}
+
+fn advance_until_quiet<const D: usize>(
+    scheme: &mut impl Steps<D>,
+    quiet: Quiet,
+) -> Result<Stop, ReferenceError> {
+    loop {
+        if let Some(stop) = scheme.state().over(quiet) {
+            return Ok(stop);
+        }
+        let t = scheme.state().next_look(quiet);
+        advance(scheme, t)?;
+    }
+}
 
 impl<const D: usize> Verlet<D> {
     /// Goes on until all fly apart for good, or no contact has existed for some time.
@@ -14,12 +59,7 @@ impl<const D: usize> Verlet<D> {
     ///
     /// As [`Verlet::advance_to`].
     pub fn advance_until_quiet(&mut self, quiet: Quiet) -> Result<Stop, ReferenceError> {
-        loop {
-            if let Some(stop) = self.over(quiet) {
-                return Ok(stop);
-            }
-            self.advance_to(self.next_look(quiet))?;
-        }
+        advance_until_quiet(self, quiet)
     }
 
     /// Whether there is a contact now whose force, over a contact time, changes a velocity by more
@@ -57,11 +97,6 @@ impl<const D: usize> Gear<D> {
     ///
     /// As [`Verlet::advance_to`].
     pub fn advance_until_quiet(&mut self, quiet: Quiet) -> Result<Stop, ReferenceError> {
-        loop {
-            if let Some(stop) = self.state.over(quiet) {
-                return Ok(stop);
-            }
-            self.advance_to(self.state.next_look(quiet))?;
-        }
+        advance_until_quiet(self, quiet)
     }
 }

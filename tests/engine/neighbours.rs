@@ -1,0 +1,106 @@
+//! Does it matter how neighbours are found? Runs worlds with cells and with all pairs; compares digests.
+
+use super::gas::{damped_spring, elastic_spring, gas, rubber};
+use carom::event::Slot;
+use carom::law::{HardSphere, Outside, Rule, Soft};
+use carom::matter::Body;
+use carom::matter::cells::Link;
+use carom::world::Room;
+use carom::{Grain, Lend, Scalar, World};
+
+/// Memory with as many heads of cells as a test wants; without any, all pairs are neighbours.
+struct Heads<S: Scalar, const D: usize> {
+    bodies: Vec<Body<S, D>>,
+    slots: Vec<Slot<S>>,
+    tree: Vec<u32>,
+    links: Vec<Link>,
+    heads: Vec<u32>,
+}
+
+impl<S: Scalar, const D: usize> Heads<S, D> {
+    fn new(grains: usize, heads: usize) -> Self {
+        Self {
+            bodies: vec![Body::default(); grains],
+            slots: vec![Slot::default(); grains],
+            tree: vec![0; grains],
+            links: vec![Link::default(); grains],
+            heads: vec![0; heads],
+        }
+    }
+}
+
+impl<S: Scalar, const D: usize> Lend<S, D> for Heads<S, D> {
+    fn lend(&mut self) -> Room<'_, S, D> {
+        Room {
+            bodies: &mut self.bodies,
+            slots: &mut self.slots,
+            tree: &mut self.tree,
+            links: &mut self.links,
+            heads: &mut self.heads,
+        }
+    }
+}
+
+/// A scene in which neighbours can be found in different ways.
+struct Scene<S: Scalar, const D: usize> {
+    grains: Vec<Grain<S, D>>,
+    side: S,
+    periodic: bool,
+    gravity: [S; D],
+}
+
+/// The digest after every thousandth event, and how often a grain has left its cell.
+fn digests<S: Scalar, const D: usize, R: Rule<S>>(
+    scene: &Scene<S, D>,
+    rule: R,
+    heads: usize,
+    events: u64,
+) -> (Vec<u64>, u64) {
+    let mut memory = Heads::<S, D>::new(scene.grains.len(), heads);
+    let setup = World::setup(&mut memory).gravity(scene.gravity).rule(rule);
+    let sides = [[S::zero(), scene.side]; D];
+    let setup = if scene.periodic { setup.periodic(sides) } else { setup.walls(sides) };
+    let mut world = setup.grains(scene.grains.iter().copied()).unwrap().start().unwrap();
+    let mut digests = Vec::new();
+    while world.counters().events() < events {
+        if world.counters().events() >= 1_000 * digests.len() as u64 {
+            digests.push(world.digest());
+        }
+        world.step().unwrap();
+    }
+    (digests, world.counters().wanderings)
+}
+
+fn same<S: Scalar, const D: usize, R: Rule<S> + Copy>(scene: &Scene<S, D>, rule: R, events: u64) {
+    let n = scene.grains.len();
+    let (all_pairs, looks) = digests(scene, rule, 0, events);
+    for heads in [2 * n, n / 2] {
+        let (cells, crossings) = digests(scene, rule, heads, events);
+        assert_ne!(crossings, looks, "the cells are not used");
+        let first = cells.iter().zip(&all_pairs).position(|(a, b)| a != b);
+        assert_eq!(first, None, "{heads} cells, D = {D}");
+    }
+}
+
+/// A gas of 200 grains in a periodic box or between walls, with gravity or without.
+fn scene<S: Scalar, const D: usize>(side: f64, periodic: bool, g: f64) -> Scene<S, D> {
+    let mut gravity = [S::zero(); D];
+    gravity[D - 1] = S::from_f64(-g);
+    Scene { grains: gas(200, 7, side, [0.35, 0.5]), side: S::from_f64(side), periodic, gravity }
+}
+
+#[test]
+fn cells_and_all_pairs_give_the_same_bits_over_a_hundred_thousand_events() {
+    same(&scene::<f64, 3>(9.0, true, 0.0), HardSphere { restitution: 1.0 }, 100_000);
+}
+
+#[test]
+fn the_same_holds_for_soft_grains_for_gravity_and_for_single_precision() {
+    let elastic = Soft::linear_dashpot(elastic_spring(), Outside::HardSphere);
+    same(&scene::<f64, 3>(12.0, true, 0.0), elastic, 10_000);
+    let damped = Soft::linear_dashpot(damped_spring(), Outside::HardSphere);
+    same(&scene::<f64, 2>(40.0, true, 0.0), damped, 10_000);
+    same(&scene::<f64, 2>(40.0, false, 0.1), HardSphere { restitution: 1.0 }, 10_000);
+    let soft = Soft::viscoelastic(rubber(), Outside::HardSphere);
+    same(&scene::<f32, 3>(14.0, true, 0.0), soft, 10_000);
+}
