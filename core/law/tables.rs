@@ -68,7 +68,23 @@ macro_rules! embedded {
 
 embedded!(f32, Stored, linear_dashpot(), viscoelastic());
 embedded!(f64, Stored, linear_dashpot(), viscoelastic());
-#[cfg(feature = "fixed")]
-embedded!(crate::number::I32F32, Stored, linear_dashpot(), viscoelastic());
-#[cfg(feature = "fixed")]
-embedded!(crate::number::I16F16, Stored, linear_dashpot(), viscoelastic());
+
+#[cfg(all(feature = "fixed", any(feature = "standard", feature = "compact")))]
+mod quantised {
+    use super::{Embedded, Table, chosen};
+    use crate::number::{I16F16, I32F32};
+    use carom_tables::form::Quanta;
+
+    embedded!(I32F32, Quanta, &chosen::LINEAR_DASHPOT_I32F32, &chosen::VISCOELASTIC_I32F32);
+    embedded!(I16F16, Quanta, &chosen::LINEAR_DASHPOT_I16F16, &chosen::VISCOELASTIC_I16F16);
+}
+
+// The wide tables have numbers too large to be quantised. Fixed point reads their floats as bits.
+#[cfg(all(feature = "fixed", not(any(feature = "standard", feature = "compact"))))]
+mod quantised {
+    use super::{Embedded, Stored, Table, linear_dashpot, viscoelastic};
+    use crate::number::{I16F16, I32F32};
+
+    embedded!(I32F32, Stored, linear_dashpot(), viscoelastic());
+    embedded!(I16F16, Stored, linear_dashpot(), viscoelastic());
+}
