@@ -133,12 +133,14 @@ impl Fault {
 fn unit_for(quantity: &str) -> &'static str {
     match quantity {
         "position" | "radius" | "length" | "separation" => "a larger unit of length",
-        "velocity" => "a larger unit of length or a smaller unit of time",
-        "gravity" => "a larger unit of length or a smaller unit of time",
-        "time of release" | "duration" => "a larger unit of time",
+        "velocity" | "gravity" => "a larger unit of length or a smaller unit of time",
+        "time of release" | "duration" | "dissipation" => "a larger unit of time",
         "mass" => "a larger unit of mass",
-        "stiffness over mass" => "a smaller unit of time or a larger unit of mass",
-        "scaled dissipation" => "a larger unit of time, or less dissipation",
+        "stiffness" | "damping" | "young" | "stiffness over mass" => {
+            "a smaller unit of time or a larger unit of mass"
+        }
+        "contact time" => "a smaller unit of time: it is too short for one step of the number",
+        "scaled dissipation" => "a table's number for it: it is far above one",
         _ => "units in which it is nearer to one",
     }
 }

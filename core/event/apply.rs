@@ -203,6 +203,7 @@ fn sound<S: Scalar>(
         return Ok(());
     }
     if S::RANGE.is_some() && !value.is_number() {
+        // Whatever the rule is: what is no number here did not fit.
         return Err(Fault::overflow(Subject::Grain(grain), field, S::NEVER.to_f64()));
     }
     let wanted = if positive { "finite and above 0" } else { "finite and at least 0" };

@@ -38,6 +38,9 @@ impl<S: Scalar> Scales<S> {
             (self.length, "length"),
             (self.c_dis, "scaled dissipation"),
         ];
+        if self.time == S::zero() {
+            return Some("contact time");
+        }
         named.into_iter().find_map(|(scale, name)| (!scale.is_number()).then_some(name))
     }
 }
@@ -139,7 +142,16 @@ impl<S: Scalar> ForceLaw<S> for Viscoelastic<S> {
     }
 }
 
+/// What is no number in fixed point is one that was too large.
+fn fits<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
+    if S::RANGE.is_some() && !value.is_number() {
+        return Err(Fault::overflow(Subject::Rule, field, S::NEVER.to_f64()));
+    }
+    Ok(())
+}
+
 fn positive<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
+    fits(field, value)?;
     if value > S::zero() && value.is_number() {
         return Ok(());
     }
@@ -147,6 +159,7 @@ fn positive<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
 }
 
 fn not_negative<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
+    fits(field, value)?;
     if value >= S::zero() && value.is_number() {
         return Ok(());
     }

@@ -51,8 +51,14 @@ pub(super) fn grain<S: Scalar, const D: usize>(
 ) -> Result<(), Fault> {
     let subject = Subject::Grain(number);
     for (field, value) in [("radius", grain.radius), ("mass", grain.mass)] {
+        fits(subject, field, value)?;
         if !(value > S::zero() && value.is_number()) {
             return Err(Fault::input(subject, field, value.to_f64(), "finite and above 0"));
+        }
+        if S::RANGE.is_some() && value < S::RESOLUTION * S::from_f32(1024.0) {
+            let wanted =
+                "at least 1024 steps of the fixed-point number: choose a smaller unit for it";
+            return Err(Fault::input(subject, field, value.to_f64(), wanted));
         }
     }
     finite(subject, "position", &grain.position)?;
@@ -143,11 +149,20 @@ fn refuse_overlap<S: Scalar, const D: usize>(
     Err(Fault::Overlap { grain, with, gap: gap.to_f64() })
 }
 
+/// What is no number in fixed point is one that was too large.
+fn fits<S: Scalar>(subject: Subject, field: &'static str, value: S) -> Result<(), Fault> {
+    match S::RANGE {
+        Some(most) if !value.in_range() => Err(Fault::overflow(subject, field, most.to_f64())),
+        _ => Ok(()),
+    }
+}
+
 fn finite<S: Scalar, const D: usize>(
     subject: Subject,
     field: &'static str,
     v: &Vector<S, D>,
 ) -> Result<(), Fault> {
+    v.iter().try_for_each(|&x| fits(subject, field, x))?;
     match v.iter().find(|x| !x.is_number()) {
         Some(x) => Err(Fault::input(subject, field, x.to_f64(), "a finite number")),
         None => Ok(()),

@@ -241,6 +241,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// [`Fault::Input`] if a component is not finite.
     pub fn set_gravity(&mut self, gravity: [S; D]) -> Result<(), Fault> {
         let gravity = Vector::from(gravity);
+        if let Some(most) = S::RANGE.filter(|_| !gravity.iter().all(|x| x.in_range())) {
+            return Err(Fault::overflow(Subject::World, "gravity", most.to_f64()));
+        }
         if !all_numbers(&gravity) {
             let value = gravity.iter().find(|x| !x.is_number()).map_or(0.0, |x| x.to_f64());
             return Err(Fault::input(Subject::World, "gravity", value, "a finite number"));

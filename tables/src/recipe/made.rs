@@ -150,12 +150,6 @@ impl<C: Store> Made<C> {
         &self.plan
     }
 
-    /// The largest of all stored numbers.
-    pub(super) fn largest(fit: &Fit, domain: &Domain) -> f64 {
-        let limits = [domain.softness_max, domain.c_dis_max, domain.stick_max];
-        fit.coefficients.iter().chain(&limits).fold(0.0, |most, a| a.abs().max(most))
-    }
-
     /// The data, to read from.
     pub fn body(&self) -> Body<'_, C> {
         Body {

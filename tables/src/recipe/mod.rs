@@ -167,15 +167,13 @@ impl Recipe {
     /// Names the field that is out of range, its value and what would be right.
     pub fn generate<C: made::Store>(&self) -> Result<Made<C>, Error> {
         self.check()?;
+        let limits = self.limits();
+        self.fits::<C>(&[limits.softness_max, limits.c_dis_max, limits.stick_max])?;
         let mut tolerance = self.tolerance;
         while tolerance < 0.2 {
             let ask = self.ask::<C>(tolerance);
             let fit = fit(&ask);
-            let most = Made::<C>::largest(&fit, &ask.domain);
-            if most > C::MOST {
-                let wanted = "f32 or f64: the table has a number too large for steps of 2^-28";
-                return Err(Error::field("number", format!("{:?}", ask.number), wanted));
-            }
+            self.fits::<C>(&fit.coefficients)?;
             let made = Made::<C>::new(&ask, fit);
             if self.bytes_max.is_none_or(|most| made.body().bytes() <= most) {
                 return Ok(made.certified(&ask, self.points));
@@ -210,6 +208,15 @@ impl Recipe {
     /// Names the field that is out of range, or the file that could not be written.
     pub fn write(&self, path: impl AsRef<Path>, name: &str) -> Result<(), Error> {
         emit::write(path.as_ref(), &self.emit(name)?)
+    }
+
+    /// Whether the stored number is large enough for these.
+    fn fits<C: made::Store>(&self, numbers: &[f64]) -> Result<(), Error> {
+        if numbers.iter().all(|a| a.abs() <= C::MOST) {
+            return Ok(());
+        }
+        let wanted = "f32 or f64: the table has a number too large for steps of 2^-28";
+        Err(Error::field("number", format!("{:?}", self.read_in::<C>()), wanted))
     }
 
     /// The number in which the table is certified.
