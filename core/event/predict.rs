@@ -35,6 +35,10 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     let stride = Stride::from_code(slot.face);
     let mut slot = slot.only_meeting();
     scene.cells.ahead(look.me.cell, stride, |k, image| look.pair(&mut slot, k, image));
+    if scene.boundary.planes().iter().any(|plane| plane.vibration.is_some()) {
+        // The search for a plate goes no further than to the next cell.
+        look.planes(&mut slot);
+    }
     look.earliest(slot)
 }
 
