@@ -18,7 +18,9 @@ const POISSON = 0.4;
  */
 /** @type {Runs | undefined} */
 let runs;
-let time = 0, wanted = 0, dragging = false;
+let time = 0, wanted = 0;
+/** Where a finger holds the picture. @type {number | null} */
+let held = null;
 
 /** Both laws have the same unit of time T at the same slider. @param {number} k */
 function material(k) {
@@ -140,18 +142,19 @@ button("pair-preset", () => {
   changed();
 });
 
-/** Dragging up and down in the picture is the impact parameter too. */
+/** Dragging sideways in the picture is the impact parameter too. */
 const canvas = find("pair-canvas");
 canvas.addEventListener("pointerdown", (event) => {
-  dragging = true;
+  held = event.clientX;
   canvas.setPointerCapture(event.pointerId);
 });
 canvas.addEventListener("pointermove", (event) => {
-  if (!dragging) return;
-  controls.impact.set(controls.impact.value + (event.movementX * 1.5) / view.size.width);
+  if (held === null) return;
+  controls.impact.set(controls.impact.value + (1.5 * (event.clientX - held)) / view.size.width);
+  held = event.clientX;
   changed();
 });
-for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (dragging = false));
+for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (held = null));
 
 /** Metres to pixels. */
 function camera() {
