@@ -5,27 +5,49 @@ use std::path::PathBuf;
 
 use carom_tables::{Law, Recipe, recipe::Number};
 
-/// One module of Rust text: a table for each law.
-fn module(name: &str, recipe: fn(Law) -> Recipe, number: Number) -> Result<String, Box<dyn Error>> {
-    let make = |law, name| recipe(law).number(number).emit(name);
-    let linear = make(Law::LinearDashpot, "LINEAR_DASHPOT")?;
-    let viscoelastic = make(Law::Viscoelastic, "VISCOELASTIC")?;
-    Ok(format!("/// The {name} tables.\npub mod {name} {{\n{linear}{viscoelastic}}}\n"))
+/// The numbers in which tables are stored, and what that adds to a table's name.
+fn numbers() -> Vec<(Number, &'static str)> {
+    let float = if enabled("F64_TABLES") { Number::F64 } else { Number::F32 };
+    vec![
+        (float, ""),
+        #[cfg(feature = "fixed")]
+        (Number::I32F32, "_I32F32"),
+        #[cfg(feature = "fixed")]
+        (Number::I16F16, "_I16F16"),
+    ]
+}
+
+fn enabled(feature: &str) -> bool {
+    std::env::var_os(format!("CARGO_FEATURE_{feature}")).is_some()
+}
+
+/// One module of Rust text: a table for each law and number.
+fn module(module: &str, recipe: fn(Law) -> Recipe) -> Result<String, Box<dyn Error>> {
+    let mut text = format!("/// The {module} tables.\npub mod {module} {{\n");
+    for (number, ending) in numbers() {
+        for (law, name) in
+            [(Law::LinearDashpot, "LINEAR_DASHPOT"), (Law::Viscoelastic, "VISCOELASTIC")]
+        {
+            // A wide table has numbers too large to be quantised.
+            if ending.is_empty() || module != "wide" {
+                text += &recipe(law).number(number).emit(&format!("{name}{ending}"))?;
+            }
+        }
+    }
+    Ok(text + "}\n")
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    let enabled = |feature: &str| std::env::var_os(format!("CARGO_FEATURE_{feature}")).is_some();
-    let number = if enabled("F64_TABLES") { Number::F64 } else { Number::F32 };
     let mut text = String::new();
     if enabled("COMPACT") {
-        text += &module("compact", Recipe::compact, number)?;
+        text += &module("compact", Recipe::compact)?;
     }
     if enabled("STANDARD") {
-        text += &module("standard", Recipe::standard, number)?;
+        text += &module("standard", Recipe::standard)?;
     }
     if enabled("WIDE") {
-        text += &module("wide", Recipe::wide, number)?;
+        text += &module("wide", Recipe::wide)?;
     }
     let out = std::env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: run this through cargo")?;
     Ok(std::fs::write(PathBuf::from(out).join("tables.rs"), text)?)

@@ -92,6 +92,17 @@ pub enum Fault {
         /// The instant.
         at: Instant,
     },
+    /// A number has left the range of the fixed-point type, or is too coarse in it: the units do not suit.
+    Overflow {
+        /// Whose number.
+        subject: Subject,
+        /// Which number.
+        quantity: &'static str,
+        /// The largest magnitude that it may have.
+        range: f64,
+        /// The unit to change, and how.
+        choose: &'static str,
+    },
     /// The instant asked for lies in the past.
     Past {
         /// The instant asked for.
@@ -110,6 +121,27 @@ impl Fault {
         wanted: &'static str,
     ) -> Self {
         Self::Input { subject, field, value, wanted }
+    }
+
+    /// A quantity that has left the range of its type.
+    pub(crate) fn overflow(subject: Subject, quantity: &'static str, range: f64) -> Self {
+        Self::Overflow { subject, quantity, range, choose: unit_for(quantity) }
+    }
+}
+
+/// The unit in which a quantity's number becomes smaller.
+fn unit_for(quantity: &str) -> &'static str {
+    match quantity {
+        "position" | "radius" | "length" | "separation" => "a larger unit of length",
+        "velocity" | "gravity" => "a larger unit of length or a smaller unit of time",
+        "time of release" | "duration" | "dissipation" => "a larger unit of time",
+        "mass" => "a larger unit of mass",
+        "stiffness" | "damping" | "young" | "stiffness over mass" => {
+            "a smaller unit of time or a larger unit of mass"
+        }
+        "contact time" => "a smaller unit of time: it is too short for one step of the number",
+        "scaled dissipation" => "a table's number for it: it is far above one",
+        _ => "units in which it is nearer to one",
     }
 }
 
@@ -172,6 +204,11 @@ impl fmt::Display for Fault {
             Self::NotFinite { grain, field, at } => {
                 write!(f, "grain {grain}: its {field} is no longer a finite number at t = {at}")
             }
+            Self::Overflow { subject, quantity, range, choose } => write!(
+                f,
+                "{subject}: its {quantity} does not fit the fixed-point number, which holds it up to {range}; \
+                 choose {choose}"
+            ),
             Self::Past { asked, now } => write!(f, "t = {asked} is in the past: it is {now} now"),
         }
     }

@@ -3,11 +3,12 @@
 use super::scene::{Release, Scene};
 use super::turn::Touch;
 use super::{bounce, contact, plane, rest};
-use crate::fault::Fault;
+use crate::fault::{Fault, Subject};
+use crate::law::force::Scales;
 use crate::law::{Answer, Encounter, Outcome, Response, Rule, Trust};
 use crate::matter::grid::Stride;
 use crate::matter::{Body, Partner};
-use crate::number::{Scalar, Vector, all_numbers};
+use crate::number::{Scalar, Vector, dot};
 
 /// What an event did.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -148,7 +149,7 @@ pub(super) fn without<S: Scalar, const D: usize>(
     v: &Vector<S, D>,
     n: &Vector<S, D>,
 ) -> Vector<S, D> {
-    v - n * n.dot(v)
+    v - n * dot(n, v)
 }
 
 /// Asks the rule, counts how far its answer can be trusted, and checks that it is one.
@@ -165,12 +166,16 @@ pub(super) fn ask<S: Scalar>(
         Trust::HardSphere => counters.hard_sphere += 1,
     }
     match response {
-        Response::Instant(e) => sound(e, "restitution", false)?,
+        Response::Instant(e) => sound(e, "restitution", false, who.0)?,
         Response::Lasting(o) => {
-            sound(o.restitution, "restitution", false)?;
-            sound(o.duration, "duration", false)?;
-            sound(o.separation, "separation", true)?;
-            sound(o.angle, "angle", false)?;
+            sound(o.restitution, "restitution", false, who.0)?;
+            sound(o.duration, "duration", false, who.0)?;
+            sound(o.separation, "separation", true, who.0)?;
+            sound(o.angle, "angle", false, who.0)?;
+        }
+        Response::Overflow(quantity) => {
+            let range = S::NEVER.to_f64();
+            return Err(Fault::overflow(Subject::Grain(who.0), quantity, range));
         }
         Response::Refused { eta, c_dis } => return Err(refused(encounter, who, eta, c_dis)),
     }
@@ -183,14 +188,23 @@ fn refused<S: Scalar>(
     eta: S,
     c_dis: S,
 ) -> Fault {
-    let (n, t) = (e.normal_speed.to_f64(), e.tangential_speed.to_f64());
-    let eccentricity = t / libm::hypot(n, t);
+    let scales = Scales { time: S::one(), length: S::zero(), c_dis: S::zero() };
+    let eccentricity = e.groups(&scales).sin.to_f64();
     Fault::OutsideTable { grain, with, eccentricity, eta: eta.to_f64(), c_dis: c_dis.to_f64() }
 }
 
-fn sound<S: Scalar>(value: S, field: &'static str, positive: bool) -> Result<(), Fault> {
+fn sound<S: Scalar>(
+    value: S,
+    field: &'static str,
+    positive: bool,
+    grain: usize,
+) -> Result<(), Fault> {
     if value.is_number() && (value > S::zero() || (!positive && value >= S::zero())) {
         return Ok(());
+    }
+    if S::RANGE.is_some() && !value.is_number() {
+        // Whatever the rule is: what is no number here did not fit.
+        return Err(Fault::overflow(Subject::Grain(grain), field, S::NEVER.to_f64()));
     }
     let wanted = if positive { "finite and above 0" } else { "finite and at least 0" };
     Err(Fault::BadRule { field, value: value.to_f64(), wanted })
@@ -224,7 +238,7 @@ fn grains<S: Scalar, const D: usize>(
     let (restitution, duration) = match response {
         Response::Lasting(outcome) => (outcome.restitution, outcome.duration),
         Response::Instant(restitution) => (restitution, S::zero()),
-        Response::Refused { .. } => return Ok(Deed::Wander),
+        Response::Refused { .. } | Response::Overflow(_) => return Ok(Deed::Wander),
     };
     scene.counters.collisions += 1;
     let is_slow = rest::is_slow(scene, &pair, &touch, [restitution, duration]);
@@ -247,10 +261,14 @@ fn grains<S: Scalar, const D: usize>(
 
 /// Whether a body can still be computed with; the field that cannot.
 pub(crate) fn broken<S: Scalar, const D: usize>(body: &Body<S, D>) -> Option<&'static str> {
-    if !all_numbers(&body.position) {
+    let inside = |v: &Vector<S, D>| v.iter().all(|x| x.in_range());
+    if !inside(&body.position) {
         return Some("position");
     }
-    (!all_numbers(&body.velocity) || !all_numbers(&body.release)).then_some("velocity")
+    if !(body.release_at.is_number()) {
+        return Some("time of release");
+    }
+    (!inside(&body.velocity) || !inside(&body.release)).then_some("velocity")
 }
 
 /// Grain `i` leaves its cell or has flown far: other grains are near it now; its motion stays the same.

@@ -10,7 +10,7 @@ use super::scene::{Counters, Scene};
 use super::turn::Touch;
 use crate::fault::Fault;
 use crate::matter::{Body, Partner};
-use crate::number::{Scalar, Vector};
+use crate::number::{Scalar, Vector, dot, largest, norm};
 
 /// After so many collisions right after each other they are elastic.
 const fn patience<const D: usize>() -> u16 {
@@ -56,7 +56,7 @@ pub(super) fn plane<S: Scalar, const D: usize>(
 ) -> Result<Deed<S>, Fault> {
     let Some(plane) = scene.boundary.planes().get(p) else { return Ok(Deed::Wander) };
     let normal = plane.normal;
-    let is_slow = speed + speed <= scene.gravity.dot(&scene.gravity).sqrt() * scene.hop;
+    let is_slow = speed + speed <= norm(&scene.gravity) * scene.hop;
     let burst = burst(scene, body, speed, is_slow);
     if burst >= MOST {
         return Err(stuck(scene, i, Partner::plane(p), burst));
@@ -67,7 +67,7 @@ pub(super) fn plane<S: Scalar, const D: usize>(
     let restitution = lasting::<S, D>(scene, restitution, (body.last_collision(), false), burst);
     let away = (speed * restitution).larger(S::zero());
     let mut change = normal * (speed + away);
-    if normal.dot(&(body.velocity + change)) < scene.speed_of(p) {
+    if dot(&normal, &(body.velocity + change)) < scene.speed_of(p) {
         change += normal * told_apart(&body.velocity);
     }
     rest::push(scene, i, &Body { burst: kept(body, burst), ..*body }, change, affected);
@@ -77,8 +77,7 @@ pub(super) fn plane<S: Scalar, const D: usize>(
 /// The smallest change of a velocity that its rounding does not swallow. Grains part at least this
 /// fast: with ε = 0, else, rounding could leave them approaching, and the collision would repeat itself.
 fn told_apart<S: Scalar, const D: usize>(velocity: &Vector<S, D>) -> S {
-    let largest = velocity.iter().fold(S::zero(), |most, v| most.larger(v.magnitude()));
-    largest * S::RESOLUTION * S::from_f32(4.0)
+    largest(velocity).rounding() * S::from_f32(4.0)
 }
 
 /// A frozen body stays one until it is pushed.
@@ -97,7 +96,7 @@ fn burst<S: Scalar, const D: usize>(
     let far = body.position.iter().fold(body.radius, |far, x| far.larger(x.magnitude()));
     let last = body.last_collision();
     let flown = if last > -S::NEVER { (scene.now - last) * speed } else { S::NEVER };
-    if body.is_frozen() || !(flown <= far * S::RESOLUTION * S::from_f32(4.0)) {
+    if body.is_frozen() || !(flown <= far.rounding() * S::from_f32(4.0)) {
         return if is_slow { body.burst } else { 0 };
     }
     (body.burst + 1).min(MOST)

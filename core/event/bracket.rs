@@ -5,7 +5,7 @@
 //! time up to that parabola's root holds no event, and the search steps there. It never steps over
 //! an event, and near one it converges as Newton's method does.
 
-use crate::number::Scalar;
+use crate::number::{Product, Scalar};
 
 /// Steps after which a search pauses and says how far it has come.
 const MOST_STEPS: usize = 64;
@@ -45,7 +45,7 @@ pub struct Search<S> {
 impl<S: Scalar> Search<S> {
     /// A search for something of this size: what it can miss is below the size's last place.
     pub fn new(bound: S, size: S, limit: S) -> Self {
-        let least = (S::RESOLUTION * S::half() * (size / bound)).sqrt();
+        let least = S::least_step(size, bound);
         Self { bound, least, limit }
     }
 
@@ -70,7 +70,7 @@ impl<S: Scalar> Search<S> {
 
     /// The time at which gap + rate t − M t²/2 = 0, without cancellation.
     fn down(&self, gap: S, rate: S) -> S {
-        let root = (rate * rate + (self.bound + self.bound) * gap).sqrt();
+        let root = (rate.times(rate) + (self.bound + self.bound).times(gap)).root();
         if rate > S::zero() { (rate + root) / self.bound } else { (gap + gap) / (root - rate) }
     }
 }

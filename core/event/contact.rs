@@ -7,7 +7,7 @@ use super::{bounce, rest};
 use crate::fault::Fault;
 use crate::law::Outcome;
 use crate::matter::{Body, Partner};
-use crate::number::{Scalar, Vector};
+use crate::number::{Scalar, Vector, norm};
 
 /// Until when a contact that begins now cannot be ended by a third body: a 64th of its duration, or,
 /// if that is less, until the grain has flown a 64th of its radius.
@@ -19,7 +19,7 @@ pub(super) fn unbroken<S: Scalar, const D: usize>(
     (radius, velocity): (S, &Vector<S, D>),
 ) -> S {
     let part = S::from_f32(1.0 / 64.0);
-    let (far, speed) = (radius * part, velocity.dot(velocity).sqrt());
+    let (far, speed) = (radius * part, norm(velocity));
     let brief = duration * part;
     now + if speed * brief > far { far / speed } else { brief }
 }

@@ -9,7 +9,7 @@ use super::predict;
 use super::queue::{Kind, Queue, Slot};
 use super::scene::Scene;
 use crate::matter::{Partner, flight};
-use crate::number::Scalar;
+use crate::number::{Product, Scalar, dot, norm};
 
 /// Of more simultaneous events than this only so many are looked at: the work of one event is bounded.
 const MOST: usize = 256;
@@ -92,9 +92,9 @@ fn closing_speed<S: Scalar, const D: usize>(
     let at = |i: usize| scene.body(i).map(|body| flight::at(body, scene.field(), slot.time));
     let Some(me) = at(grain) else { return S::zero() };
     if let Some(plane) = slot.partner.as_plane().and_then(|p| scene.boundary.planes().get(p)) {
-        return plane.motion(slot.time).speed - plane.normal.dot(&me.velocity);
+        return plane.motion(slot.time).speed - dot(&plane.normal, &me.velocity);
     }
     let Some(other) = slot.partner.as_grain().and_then(at) else { return S::zero() };
     let apart = scene.separation(&me, &other);
-    -apart.dot(&(me.velocity - other.velocity)) / apart.dot(&apart).sqrt()
+    -S::dot(&apart, &(me.velocity - other.velocity)).over(norm(&apart))
 }

@@ -7,7 +7,7 @@ use super::{bounce, rest};
 use crate::fault::Fault;
 use crate::law::{Encounter, Outcome, Response, Rule};
 use crate::matter::{Body, Partner, Plane, Surface};
-use crate::number::Scalar;
+use crate::number::{Product, Scalar, dot};
 
 /// A grain touches a plane.
 pub(super) fn meet<S: Scalar, const D: usize>(
@@ -19,7 +19,7 @@ pub(super) fn meet<S: Scalar, const D: usize>(
 ) -> Result<Deed<S>, Fault> {
     let Some(plane) = scene.boundary.planes().get(p).copied() else { return Ok(Deed::Wander) };
     let mut body = scene.present(i);
-    let mut speed = plane.motion(scene.now).speed - plane.normal.dot(&body.velocity);
+    let mut speed = plane.motion(scene.now).speed - dot(&plane.normal, &body.velocity);
     if speed < S::zero() {
         // The peak of a flight below the surface, where only rounding is left of the speed.
         body.velocity += plane.normal * speed;
@@ -28,7 +28,7 @@ pub(super) fn meet<S: Scalar, const D: usize>(
     let response = match plane.surface {
         Surface::Hard(restitution) => Response::Instant(restitution),
         Surface::Rule => {
-            let weight = plane.motion(scene.now).acceleration - plane.normal.dot(&scene.gravity);
+            let weight = plane.motion(scene.now).acceleration - dot(&plane.normal, &scene.gravity);
             let encounter = encounter(&body, speed, weight);
             ask(rule, &encounter, &mut scene.counters, (i, Partner::plane(p)))?
         }
@@ -45,7 +45,7 @@ pub(super) fn meet<S: Scalar, const D: usize>(
         Response::Instant(restitution) => {
             bounce::plane(scene, (i, p), &body, [speed, restitution], affected)
         }
-        Response::Refused { .. } => Ok(Deed::Wander),
+        Response::Refused { .. } | Response::Overflow(_) => Ok(Deed::Wander),
     }
 }
 
@@ -54,7 +54,7 @@ pub(super) fn meet<S: Scalar, const D: usize>(
 /// Under gravity a contact slower than the fall through 5e-7 R is given the duration of that speed:
 /// below it the weight, not the impact, decides how long a contact lasts.
 fn encounter<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: S) -> Encounter<S> {
-    let floor = S::from_f64(1e-3) * (g.magnitude() * body.radius).sqrt();
+    let floor = S::from_f64(1e-3) * g.magnitude().times(body.radius).root();
     Encounter {
         reach: body.radius,
         effective_radius: body.radius,
@@ -90,10 +90,10 @@ fn contact<S: Scalar, const D: usize>(
     let release_at = scene.now + outcome.duration;
     let (now, later) = (plane.motion(scene.now), plane.motion(release_at));
     let along = match plane.vibration {
-        Some(_) => (later.place - now.place) / outcome.duration.larger(S::RESOLUTION * scene.now),
+        Some(_) => (later.place - now.place) / outcome.duration.larger(scene.now.rounding()),
         None => S::zero(),
     };
-    let hold = along - n.dot(&scene.gravity) * outcome.duration * S::half();
+    let hold = along - dot(n, &scene.gravity) * outcome.duration * S::half();
     let velocity = without(&body.velocity, n) + n * hold;
     let bound = Body {
         position,

@@ -7,7 +7,7 @@ use super::scene::Scene;
 use super::{touch, wander};
 use crate::matter::grid::Stride;
 use crate::matter::{Body, Partner, flight};
-use crate::number::{Instant, Scalar, Vector};
+use crate::number::{Scalar, Vector};
 
 /// The earliest event of this grain.
 ///
@@ -35,6 +35,10 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     let stride = Stride::from_code(slot.face);
     let mut slot = slot.only_meeting();
     scene.cells.ahead(look.me.cell, stride, |k, image| look.pair(&mut slot, k, image));
+    if scene.boundary.planes().iter().any(|plane| plane.vibration.is_some()) {
+        // The search for a plate goes no further than to the next cell.
+        look.planes(&mut slot);
+    }
     look.earliest(slot)
 }
 
@@ -213,7 +217,7 @@ fn not_before<S: Scalar, const D: usize>(body: &Body<S, D>) -> S {
 #[inline]
 fn meet<S: Scalar>(slot: &mut Slot<S>, time: S, partner: Partner, stamp: u32) {
     let tie = time == slot.meeting && partner.word() < slot.partner.word();
-    if (time < slot.meeting || tie) && time <= S::from_f64(Instant::LAST) {
+    if (time < slot.meeting || tie) && time <= S::LAST {
         let kind = if partner == Partner::NOTHING { Kind::Wander } else { Kind::Meet };
         *slot = Slot { time, meeting: time, partner, stamp, kind, face: Slot::<S>::NO_FACE };
     }

@@ -20,12 +20,13 @@ use super::support::{CALM, carried, felt, give, is_nothing, size, unseen};
 use super::turn::Touch;
 use crate::fault::Fault;
 use crate::matter::{Body, flight};
-use crate::number::{Scalar, Vector};
+use crate::number::{Product, Scalar, Vector, dot, norm};
 
 /// Whether a rebound with this speed under this weight is too low or too short to be one.
 fn is_rest<S: Scalar>(speed: S, weight: S, height: S, duration: S) -> bool {
     weight > S::zero()
-        && (speed * speed <= (weight + weight) * height || speed + speed <= weight * duration)
+        && (speed.times(speed) <= (weight + weight).times(height)
+            || speed + speed <= weight * duration)
 }
 
 /// Whether a grain that leaves plane `p` at this speed comes to rest on it.
@@ -36,7 +37,7 @@ pub(super) fn settles<S: Scalar, const D: usize>(
     [speed, restitution, duration]: [S; 3],
 ) -> bool {
     let Some(plane) = scene.boundary.planes().get(p) else { return false };
-    let pull = plane.normal.dot(&flight::acceleration(body, scene.field()));
+    let pull = dot(&plane.normal, &flight::acceleration(body, scene.field()));
     let weight = plane.motion(scene.now).acceleration - pull;
     let lossy = restitution < S::one() || speed == S::zero() || duration > S::zero();
     let hop = if body.burst >= CALM / 4 { scene.hop } else { S::zero() };
@@ -73,7 +74,7 @@ fn square_to<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, p: usize) -> u8
     let Some(plane) = scene.boundary.planes().get(p) else { return 0 };
     let planes = scene.boundary.planes().iter().enumerate();
     let square =
-        planes.filter(|(_, q)| q.normal.dot(&plane.normal).magnitude() <= S::from_f32(1e-6));
+        planes.filter(|(_, q)| dot(&q.normal, &plane.normal).magnitude() <= S::from_f32(1e-6));
     square.fold(0, |bits, (q, _)| bits | 1_u8.checked_shl(q as u32).unwrap_or(0))
 }
 
@@ -99,13 +100,13 @@ pub(super) fn is_slow<S: Scalar, const D: usize>(
     let height = unseen(size(a).larger(size(b)));
     // Where grains slide the approach says how fast they are, even if ε = 0.
     let speed = if D == 1 { -touch.radial * restitution } else { -touch.radial };
-    is_rest(speed, g.dot(&g).sqrt(), height, hop)
+    is_rest(speed, norm(&g), height, hop)
 }
 
 /// The largest speed of a grain that can lie still.
 fn slow<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, body: &Body<S, D>, radial: S) -> S {
     let g = felt(scene, body);
-    let hop = scene.hop.larger(scene.t_c) * g.dot(&g).sqrt();
+    let hop = scene.hop.larger(scene.t_c) * norm(&g);
     hop.larger(radial.magnitude()) * S::from_f32(2.0)
 }
 
@@ -121,7 +122,7 @@ pub(super) fn calmed<S: Scalar, const D: usize>(
     }
     let moves = body.velocity - carried(scene, body);
     let limit = slow(scene, body, radial);
-    if is_slow && moves.dot(&moves) <= limit * limit {
+    if is_slow && S::dot(&moves, &moves) <= limit.times(limit) {
         return Body { burst: (body.burst + 1).min(CALM.max(body.burst)), ..*body };
     }
     if body.burst >= CALM / 2 {
@@ -180,8 +181,8 @@ fn freeze<S: Scalar, const D: usize>(
     let moves = body.velocity - velocity;
     let limit = slow(scene, support, radial);
     let falls = flight::plates(support, scene.field())
-        .any(|plate| plate.motion(scene.now).acceleration < plate.normal.dot(&scene.gravity));
-    if falls || (D > 1 && moves.dot(&moves) > limit * limit) {
+        .any(|plate| plate.motion(scene.now).acceleration < dot(&plate.normal, &scene.gravity));
+    if falls || (D > 1 && S::dot(&moves, &moves) > limit.times(limit)) {
         return false;
     }
     let planes = body.planes | support.planes;
@@ -205,13 +206,13 @@ pub(super) fn part<S: Scalar, const D: usize>(
     let e = touch.e_r;
     let to_a = moves(scene, (i, a), e, k);
     let to_b = moves(scene, (k, b), -e, i);
-    let mobility = e.dot(&to_a) / a.mass - e.dot(&to_b) / b.mass;
+    let mobility = S::dot(&e, &to_a).over(a.mass) - S::dot(&e, &to_b).over(b.mass);
     let largest = S::one() / a.mass + S::one() / b.mass;
     if !(mobility > largest * S::from_f32(1e-4)) {
         return bounce::grains(scene, who, pair, touch, (S::one(), true), affected);
     }
     let g = felt(scene, if a.is_held() { a } else { b });
-    let least = g.dot(&g).sqrt() * scene.hop * S::from_f32(0.125);
+    let least = norm(&g) * scene.hop * S::from_f32(0.125);
     let approach = -touch.radial;
     let impulse = (approach + approach.larger(least)) / mobility;
     scene.counters.propped += 1;
@@ -243,7 +244,7 @@ pub(super) fn push<S: Scalar, const D: usize>(
     change: Vector<S, D>,
     affected: &mut Affected,
 ) {
-    if body.is_frozen() && !(change.dot(&change) > S::zero()) {
+    if body.is_frozen() && !(norm(&change) > S::zero()) {
         return;
     }
     let mut pushed = Body { velocity: body.velocity + change, moment: scene.now, ..*body };
@@ -253,7 +254,7 @@ pub(super) fn push<S: Scalar, const D: usize>(
         for (p, plane) in scene.boundary.planes().iter().enumerate() {
             let near = unseen(size(body)) * S::from_f32(8.0);
             let lies = plane.gap(&body.position, body.radius, scene.now) <= near;
-            if body.rests_on(p) && lies && plane.normal.dot(&change) == S::zero() {
+            if body.rests_on(p) && lies && dot(&plane.normal, &change) == S::zero() {
                 pushed = pushed.resting_on(p);
             }
         }

@@ -4,7 +4,7 @@
 //! tolerance, no "just collided" flag and no shifted radius: an overlap that gets better by itself
 //! is left alone, one that gets worse is stopped at once.
 
-use crate::number::{Scalar, Vector};
+use crate::number::{Product, Scalar, Vector};
 
 /// For two spheres without relative acceleration: separation `r`, relative velocity `v`, reach σ = R₁ + R₂.
 ///
@@ -16,6 +16,9 @@ pub fn spheres<S: Scalar, const D: usize>(
     v: &Vector<S, D>,
     sigma: S,
 ) -> Option<S> {
+    if let Some(found) = S::meeting(r, v, sigma) {
+        return found;
+    }
     let approach = -r.dot(v);
     let gap = r.dot(r) - sigma * sigma;
     let speed2 = v.dot(v);
@@ -41,17 +44,17 @@ pub fn spheres<S: Scalar, const D: usize>(
 /// With a < 0 (gravity towards the plane) the event is at the later root, or at the peak if the
 /// whole parabola lies below the surface. A grain that overlaps and falls gets Δt = 0.
 pub fn plane<S: Scalar>(gap: S, v: S, a: S) -> Option<S> {
-    if a < S::zero() { Some(falling(gap, v, -a)) } else { approaching(gap, v, a) }
+    let found = if a < S::zero() { Some(falling(gap, v, -a)) } else { approaching(gap, v, a) };
+    found.filter(|span| span.is_number())
 }
 
 /// The last time at which gap + v t − b t²/2 ≥ 0 for b > 0, or the peak if there is none; never negative.
 fn falling<S: Scalar>(gap: S, v: S, b: S) -> S {
     let peak = (v / b).larger(S::zero());
-    let discriminant = v * v + (b + b) * gap;
-    if !(discriminant > S::zero()) {
+    let root = (v.times(v) + (b + b).times(gap)).root();
+    if !(root > S::zero()) {
         return peak;
     }
-    let root = discriminant.sqrt();
     let t = if v > S::zero() {
         (v + root) / b
     } else if root > v {
@@ -71,8 +74,8 @@ fn approaching<S: Scalar>(gap: S, v: S, a: S) -> Option<S> {
     if gap <= S::zero() {
         return Some(S::zero());
     }
-    let discriminant = v * v - (a + a) * gap;
-    (discriminant > S::zero()).then(|| (gap + gap) / (discriminant.sqrt() - v))
+    let root = (v.times(v) - (a + a).times(gap)).root();
+    (root > S::zero()).then(|| (gap + gap) / (root - v))
 }
 
 /// The first time at which |v t + a t²/2| reaches `far` > 0.

@@ -241,11 +241,11 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
         let there = flight::at(other, self.field(), self.now).position;
         let reach = me.radius + other.radius;
         let then = self.boundary.nearest(position - there);
-        if then.dot(&then) >= reach * reach {
+        if S::dot(&then, &then) >= reach.times(reach) {
             return true;
         }
         let before = self.boundary.nearest(me.position - there);
-        then.dot(&then) >= before.dot(&before)
+        S::dot(&then, &then) >= S::dot(&before, &before)
     }
 
     fn free_of_planes(&self, me: &Body<S, D>, position: Vector<S, D>, except: Partner) -> bool {

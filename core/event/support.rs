@@ -2,7 +2,7 @@
 
 use super::scene::Scene;
 use crate::matter::{Body, flight};
-use crate::number::{Scalar, Vector};
+use crate::number::{Scalar, Vector, dot, norm};
 
 /// After so many slow collisions in a row a grain is calm enough to lie still.
 pub(super) const CALM: u16 = 64;
@@ -12,7 +12,7 @@ type Supports<S, const D: usize> = heapless::Vec<Vector<S, D>, 24>;
 
 /// Hops as high as 64 units in the last place of the size are no hops.
 pub(super) fn unseen<S: Scalar>(size: S) -> S {
-    size * S::RESOLUTION * S::from_f32(64.0)
+    size.rounding() * S::from_f32(64.0)
 }
 
 /// How far from its radius rounding can put a body.
@@ -25,11 +25,11 @@ pub(super) fn size<S: Scalar, const D: usize>(body: &Body<S, D>) -> S {
 /// There a grain slides down another in hops, which must not become ever shorter. In one dimension
 /// nothing slides, and hops are followed down to the rounding.
 pub(crate) fn hop<S: Scalar, const D: usize>(gravity: &Vector<S, D>, radius: S) -> S {
-    let g = gravity.dot(gravity).sqrt();
+    let g = norm(gravity);
     if D == 1 || !(g > S::zero()) {
         S::zero()
     } else {
-        (radius / g).sqrt() * S::from_f64(1.0 / 64.0)
+        radius.root_of_ratio(g) * S::from_f64(1.0 / 64.0)
     }
 }
 
@@ -53,7 +53,7 @@ pub(super) fn carried<S: Scalar, const D: usize>(
 
 /// Surfaces this near touch: within the height of a hop, or of rounding.
 fn near<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, body: &Body<S, D>) -> S {
-    let g = scene.gravity.dot(&scene.gravity).sqrt();
+    let g = norm(&scene.gravity);
     let longest = scene.hop.larger(scene.t_c);
     let height = g * longest * longest;
     height.smaller(body.radius * S::from_f32(0.001)) + unseen(size(body)) * S::from_f32(8.0)
@@ -75,7 +75,7 @@ pub(super) fn give<S: Scalar, const D: usize>(
     let (rounds, relaxed) = if D == 1 { (1, 1.0) } else { (128, 1.875) };
     for _ in 0..rounds {
         for (n, t) in supports.iter().zip(&mut taken) {
-            let more = (*t - left.dot(n) * S::from_f32(relaxed)).larger(S::zero());
+            let more = (*t - dot(&left, n) * S::from_f32(relaxed)).larger(S::zero());
             left += n * (more - *t);
             *t = more;
         }
@@ -107,7 +107,7 @@ fn supports<S: Scalar, const D: usize>(
         }
         let other = scene.present(k);
         let apart = scene.separation(body, &other);
-        let distance = apart.dot(&apart).sqrt();
+        let distance = norm(&apart);
         if distance <= body.radius + other.radius + near && distance > S::zero() {
             let _ = supports.push(apart / distance);
         }
@@ -125,7 +125,7 @@ pub(super) fn is_nothing<S: Scalar, const D: usize>(
     left: &Vector<S, D>,
     of: &Vector<S, D>,
 ) -> bool {
-    left.dot(left) <= of.dot(of) * S::from_f32(1e-4)
+    S::negligible(left, of)
 }
 
 /// Whether grain `k` lies still and touches grain `i`.
@@ -140,5 +140,5 @@ pub(crate) fn lies_on<S: Scalar, const D: usize>(
     let (a, b) = (scene.present(i), scene.present(k));
     let apart = scene.separation(&a, &b);
     let near = near(scene, &a).larger(near(scene, &b)) * S::from_f32(2.0);
-    apart.dot(&apart).sqrt() <= a.radius + b.radius + near
+    norm(&apart) <= a.radius + b.radius + near
 }

@@ -4,7 +4,7 @@ use super::bracket::{Found, Search};
 use super::root;
 use super::scene::Scene;
 use crate::matter::{Body, Plane, flight};
-use crate::number::{Scalar, Vector};
+use crate::number::{Product, Scalar, Vector, dot, norm};
 
 /// At what time two bodies touch that nothing holds: BSFP14's rule. Uniform gravity leaves their
 /// relative motion straight.
@@ -59,14 +59,14 @@ pub(super) fn held<S: Scalar, const D: usize>(
     let apart = flight::acceleration(me, field) - flight::acceleration(other, field);
     let together = flight::plates(me, field).eq(flight::plates(other, field));
     let alike = me.planes == other.planes && me.is_frozen() == other.is_frozen();
-    if alike || (together && !(apart.dot(&apart) > S::zero())) {
+    if alike || (together && !(norm(&apart) > S::zero())) {
         let separation = scene.separation(me, other);
         let found = root::spheres(&separation, &(me.velocity - other.velocity), reach);
         return found.map_or(Found::Nothing, Found::Event);
     }
     let shaking = if together { S::zero() } else { shaking(scene, me) + shaking(scene, other) };
-    let bound = apart.dot(&apart).sqrt() + shaking;
-    Search::new(bound.larger(weak(reach, limit)), reach, limit).first(|t| {
+    let bound = norm(&apart) + shaking;
+    Search::new(bound.larger(S::weak(reach, limit)), reach, limit).first(|t| {
         let [a, b] = [me, other].map(|body| flight::at(body, field, scene.now + t));
         overlap(&scene.separation(&a, &b), &(a.velocity - b.velocity), reach)
     })
@@ -74,17 +74,11 @@ pub(super) fn held<S: Scalar, const D: usize>(
 
 /// f = |r| − σ and ḟ. The difference of squares keeps the last places of a touching pair.
 fn overlap<S: Scalar, const D: usize>(r: &Vector<S, D>, v: &Vector<S, D>, sigma: S) -> (S, S) {
-    let distance = r.dot(r).sqrt();
+    let distance = norm(r);
     if !(distance > S::zero()) {
-        return (-sigma, -v.dot(v).sqrt());
+        return (-sigma, -norm(v));
     }
-    ((r.dot(r) - sigma * sigma) / (distance + sigma), r.dot(v) / distance)
-}
-
-/// An acceleration too weak to matter before the limit; a search needs one above zero.
-fn weak<S: Scalar>(size: S, limit: S) -> S {
-    let span = limit.smaller(S::from_f32(1e9)).larger(S::RESOLUTION);
-    S::RESOLUTION * (size / span) / span + S::RESOLUTION * S::RESOLUTION * size
+    ((S::dot(r, r) - sigma.times(sigma)).over(distance + sigma), S::dot(r, v).over(distance))
 }
 
 /// At what time a body that nothing holds touches a plane that does not move; from its own clock on.
@@ -96,7 +90,7 @@ pub(super) fn wall<S: Scalar, const D: usize>(
 ) -> Option<S> {
     let n = &plane.normal;
     let gap = plane.mean_gap(&me.position, me.radius);
-    Some(me.clock + root::plane(gap, n.dot(&me.velocity), n.dot(&scene.gravity))?)
+    Some(me.clock + root::plane(gap, dot(n, &me.velocity), dot(n, &scene.gravity))?)
 }
 
 /// When a body, as it is now, touches a plane that does not hold it.
@@ -109,7 +103,7 @@ pub(super) fn plane<S: Scalar, const D: usize>(
     let field = scene.field();
     let mean = plane.mean_gap(&me.position, me.radius);
     let (v, a) =
-        (plane.normal.dot(&me.velocity), plane.normal.dot(&flight::acceleration(me, field)));
+        (dot(&plane.normal, &me.velocity), dot(&plane.normal, &flight::acceleration(me, field)));
     let Some(vibration) = plane.vibration else {
         return match shaking_along(scene, me, &plane.normal) > S::zero() {
             false => root::plane(mean, v, a).map_or(Found::Nothing, Found::Event),
@@ -136,14 +130,14 @@ fn shaken<S: Scalar, const D: usize>(
     limit: S,
 ) -> Found<S> {
     let field = scene.field();
-    let a = plane.normal.dot(&flight::acceleration(me, field)).magnitude();
+    let a = dot(&plane.normal, &flight::acceleration(me, field)).magnitude();
     let shaking = plane.vibration.map_or(S::zero(), |v| v.peak_acceleration())
         + shaking_along(scene, me, &plane.normal);
-    let bound = (a + shaking).larger(weak(me.radius, limit));
+    let bound = (a + shaking).larger(S::weak(me.radius, limit));
     let found = Search::new(bound, me.radius, limit - from).first(|t| {
         let then = scene.now + (from + t);
         let body = flight::at(me, field, then);
-        let rate = plane.normal.dot(&body.velocity) - plane.motion(then).speed;
+        let rate = dot(&plane.normal, &body.velocity) - plane.motion(then).speed;
         (plane.gap(&body.position, me.radius, then), rate)
     });
     match found {
@@ -168,7 +162,7 @@ pub(super) fn take_off<S: Scalar, const D: usize>(
 
 fn falls_away<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, plate: &Plane<S, D>) -> Found<S> {
     let Some(vibration) = plate.vibration else { return Found::Nothing };
-    let falls = plate.normal.dot(&scene.gravity);
+    let falls = dot(&plate.normal, &scene.gravity);
     let (omega, peak) = (vibration.angular_frequency(), vibration.peak_acceleration());
     if plate.motion(scene.now).acceleration < falls {
         return Found::Event(S::zero());
@@ -198,7 +192,7 @@ fn shaking_along<S: Scalar, const D: usize>(
 ) -> S {
     flight::plates(me, scene.field()).fold(S::zero(), |sum, plate| {
         let peak = plate.vibration.map_or(S::zero(), |v| v.peak_acceleration());
-        sum + peak * plate.normal.dot(n).magnitude()
+        sum + peak * dot(&plate.normal, n).magnitude()
     })
 }
 
@@ -226,7 +220,7 @@ pub(super) fn shaken_face<S: Scalar, const D: usize>(
         if up { -x } else { x }
     };
     let (start, a) = (along(&me.position), along(&flight::acceleration(me, field)).magnitude());
-    let bound = (a + shaking(scene, me)).larger(weak(me.radius, S::one()));
+    let bound = (a + shaking(scene, me)).larger(S::weak(me.radius, S::one()));
     Search::new(bound, me.radius, S::NEVER).first(|t| {
         let there = flight::at(me, field, scene.now + t);
         (gap + (along(&there.position) - start), along(&there.velocity))

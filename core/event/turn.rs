@@ -2,7 +2,7 @@
 
 use crate::law::{Encounter, Outcome};
 use crate::matter::Body;
-use crate::number::{Scalar, Vector};
+use crate::number::{Product, Scalar, Vector, norm};
 
 /// Two bodies as they touch: the relative coordinates of MP13, Eq. (5), seen from the second.
 pub(crate) struct Touch<S: Scalar, const D: usize> {
@@ -21,15 +21,15 @@ pub(crate) struct Touch<S: Scalar, const D: usize> {
 impl<S: Scalar, const D: usize> Touch<S, D> {
     /// From separation r₁ − r₂ and relative velocity v₁ − v₂; none if the centres coincide.
     pub fn new(separation: Vector<S, D>, velocity: Vector<S, D>) -> Option<Self> {
-        let distance = separation.dot(&separation).sqrt();
+        let distance = norm(&separation);
         if !(distance > S::zero()) {
             return None;
         }
         let e_r = separation / distance;
         // The sign is that of r·v, as in the prediction: else rounding could make an event of nothing.
-        let radial = separation.dot(&velocity) / distance;
+        let radial = S::dot(&separation, &velocity).over(distance);
         let across = velocity - e_r * radial;
-        let tangential = if D > 1 { across.dot(&across).sqrt() } else { S::zero() };
+        let tangential = if D > 1 { norm(&across) } else { S::zero() };
         let e_t = if tangential > S::zero() { across / tangential } else { Vector::zeros() };
         Some(Self { e_r, e_t, distance, radial, tangential })
     }

@@ -2,7 +2,7 @@
 
 use super::{Encounter, Outcome};
 use crate::fault::{Fault, Subject};
-use crate::number::Scalar;
+use crate::number::{Product, Scalar};
 use carom_tables::{Groups, Law, Scaled};
 
 /// The scales of one encounter (MP13, Sec. V).
@@ -26,6 +26,23 @@ impl<S: Scalar> Scales<S> {
             angle: scaled.angle,
         }
     }
+
+    /// The first scale of an impact that does not fit a fixed-point number. A contact that never ends,
+    /// because nothing approaches, is none of these.
+    pub(super) fn overflow(&self, encounter: &Encounter<S>) -> Option<&'static str> {
+        if S::RANGE.is_none() || !(encounter.normal_speed > S::zero()) {
+            return None;
+        }
+        let named = [
+            (self.time, "stiffness over mass"),
+            (self.length, "length"),
+            (self.c_dis, "scaled dissipation"),
+        ];
+        if self.time == S::zero() {
+            return Some("contact time");
+        }
+        named.into_iter().find_map(|(scale, name)| (!scale.is_number()).then_some(name))
+    }
 }
 
 impl<S: Scalar> Encounter<S> {
@@ -39,7 +56,7 @@ impl<S: Scalar> Encounter<S> {
         // The larger of the two is divided out first: the squares can neither overflow nor vanish.
         let large = n.larger(t);
         let (a, b) = (n / large, t / large);
-        let norm = (a * a + b * b).sqrt();
+        let norm = (a.times(a) + b.times(b)).root();
         Groups { sin: b / norm, cos: a / norm, eta, c_dis }
     }
 }
@@ -88,8 +105,8 @@ impl<S: Scalar> ForceLaw<S> for LinearDashpot<S> {
 
     /// T = 1/ω = sqrt(m_eff/k), c_dis = γ T/m_eff (MP13 Eqs. 41, 43).
     fn scales(&self, encounter: &Encounter<S>) -> Scales<S> {
-        let time = (encounter.reduced_mass / self.stiffness).sqrt();
-        let c_dis = self.damping * time / encounter.reduced_mass;
+        let time = encounter.reduced_mass.root_of_ratio(self.stiffness);
+        let c_dis = self.damping.times(time).over(encounter.reduced_mass);
         Scales { time, length: time * encounter.normal_speed, c_dis }
     }
 
@@ -109,7 +126,7 @@ impl<S: Scalar> ForceLaw<S> for Viscoelastic<S> {
         let rho = two_thirds * self.young * encounter.effective_radius.sqrt()
             / (one - self.poisson * self.poisson);
         let k = rho / encounter.reduced_mass;
-        let time = k.inverse_fifth_root() * (k * encounter.normal_speed).inverse_fifth_root();
+        let time = S::contact_time(k, encounter.normal_speed);
         let c_dis = S::from_f64(1.5) * self.dissipation / time;
         Scales { time, length: time * encounter.normal_speed, c_dis }
     }
@@ -125,7 +142,16 @@ impl<S: Scalar> ForceLaw<S> for Viscoelastic<S> {
     }
 }
 
+/// What is no number in fixed point is one that was too large.
+fn fits<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
+    if S::RANGE.is_some() && !value.is_number() {
+        return Err(Fault::overflow(Subject::Rule, field, S::NEVER.to_f64()));
+    }
+    Ok(())
+}
+
 fn positive<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
+    fits(field, value)?;
     if value > S::zero() && value.is_number() {
         return Ok(());
     }
@@ -133,6 +159,7 @@ fn positive<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
 }
 
 fn not_negative<S: Scalar>(field: &'static str, value: S) -> Result<(), Fault> {
+    fits(field, value)?;
     if value >= S::zero() && value.is_number() {
         return Ok(());
     }

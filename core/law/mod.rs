@@ -60,6 +60,8 @@ pub enum Response<S> {
         /// Scaled dissipation.
         c_dis: S,
     },
+    /// No answer: this quantity does not fit the number type.
+    Overflow(&'static str),
 }
 
 /// How far an answer can be trusted.

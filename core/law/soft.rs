@@ -3,6 +3,7 @@
 use super::force::{ForceLaw, Scales};
 use super::{Answer, Encounter, LinearDashpot, Response, Rule, Trust, Viscoelastic, tables};
 use crate::fault::Fault;
+use crate::law::tables::Embedded;
 use crate::number::Scalar;
 use carom_tables::{Groups, Table};
 
@@ -27,19 +28,19 @@ pub struct Soft<L, C: 'static = f32> {
     outside: Outside,
 }
 
-impl<S: Scalar> Soft<LinearDashpot<S>, tables::Stored> {
+impl<S: Embedded> Soft<LinearDashpot<S>, S::Stored> {
     /// The linear spring-dashpot with the default embedded table.
     #[must_use]
     pub fn linear_dashpot(law: LinearDashpot<S>, outside: Outside) -> Self {
-        Self::with_table(law, tables::linear_dashpot(), outside)
+        Self::with_table(law, S::linear_dashpot(), outside)
     }
 }
 
-impl<S: Scalar> Soft<Viscoelastic<S>, tables::Stored> {
+impl<S: Embedded> Soft<Viscoelastic<S>, S::Stored> {
     /// Viscoelastic spheres with the default embedded table.
     #[must_use]
     pub fn viscoelastic(law: Viscoelastic<S>, outside: Outside) -> Self {
-        Self::with_table(law, tables::viscoelastic(), outside)
+        Self::with_table(law, S::viscoelastic(), outside)
     }
 }
 
@@ -59,6 +60,9 @@ where
 {
     fn meet(&self, encounter: &Encounter<S>) -> Answer<S> {
         let scales = self.law.scales(encounter);
+        if let Some(quantity) = scales.overflow(encounter) {
+            return Answer::sure(Response::Overflow(quantity));
+        }
         let groups = encounter.groups(&scales);
         if let Some(found) = self.table.read(&groups) {
             return Answer::sure(Response::Lasting(scales.outcome(&found)));
@@ -77,7 +81,7 @@ where
 
 impl<L, C: tables::Number> Soft<L, C> {
     fn clamped<S: Scalar>(&self, groups: &Groups<S>, scales: &Scales<S>) -> Answer<S> {
-        match self.table.read(&self.table.clamp(groups)) {
+        match self.table.read_nearest(groups) {
             Some(found) => Answer {
                 response: Response::Lasting(scales.outcome(&found)),
                 trust: Trust::Clamped,
@@ -88,7 +92,7 @@ impl<L, C: tables::Number> Soft<L, C> {
 
     fn central<S: Scalar>(&self, groups: &Groups<S>) -> Answer<S> {
         let central = Groups { sin: S::zero(), cos: S::one(), eta: S::zero(), c_dis: groups.c_dis };
-        match self.table.read(&self.table.clamp(&central)) {
+        match self.table.read_nearest(&central) {
             Some(found) => {
                 Answer { response: Response::Instant(found.speed), trust: Trust::HardSphere }
             }

@@ -3,7 +3,7 @@
 use super::boundary::Boundary;
 use super::grain::Body;
 use super::plane::Plane;
-use crate::number::{Scalar, Vector};
+use crate::number::{Scalar, Vector, dot};
 
 /// What moves grains between events: gravity, and the planes that hold those at rest on them.
 #[derive(Clone, Copy)]
@@ -36,7 +36,7 @@ pub fn acceleration<S: Scalar, const D: usize>(
     // A second round is for planes that are not at right angles.
     for _ in 0..2 {
         for (p, plane) in field.boundary.planes().iter().enumerate() {
-            let pushed = plane.normal.dot(&held);
+            let pushed = dot(&plane.normal, &held);
             if body.rests_on(p) && (pushed < S::zero() || plane.vibration.is_some()) {
                 held -= plane.normal * pushed;
             }
@@ -75,7 +75,7 @@ pub fn at<S: Scalar, const D: usize>(
     for plate in plates(body, field) {
         // Along the normal it moves as the plate does, not by a velocity of its own: rounding cannot add up.
         let (then, later, n) = (plate.motion(body.clock), plate.motion(now), &plate.normal);
-        let speed = n.dot(&body.velocity);
+        let speed = dot(n, &body.velocity);
         there.position += n * ((later.place - then.place) - speed * span);
         there.velocity += n * (later.speed - speed);
     }

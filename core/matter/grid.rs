@@ -102,7 +102,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// Whether it is a grid for this box and grains of this diameter.
     pub(crate) fn fits(&self, boundary: &Boundary<S, D>, reach: S) -> bool {
         self.lanes.as_slice().iter().enumerate().all(|(axis, lane)| {
-            let length = lane.width * S::from_f64(f64::from(lane.count));
+            let length = lane.width * S::from_count(lane.count);
             let same = match boundary.periodic(axis) {
                 Some(p) => {
                     let off = (length - p.length).magnitude();
@@ -181,7 +181,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         let (Some(&c), Some(lane)) = (at.get(axis), self.lanes.as_slice().get(axis)) else {
             return [None, None];
         };
-        let face = |c: u32| lane.low + lane.width * S::from_f64(f64::from(c));
+        let face = |c: u32| lane.low + lane.width * S::from_count(c);
         let low = lane.below(c).map(|_| x - face(c));
         let high = lane.above(c).map(|_| face(c + 1) - x);
         [low, high]
@@ -204,9 +204,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
 
 impl<S: Scalar> Lane<S> {
     fn index(&self, x: S) -> u32 {
-        let cell = ((x - self.low) / self.width).to_f64();
-        // A cast from float saturates, and NaN gives 0.
-        (cell as u32).min(self.count - 1)
+        ((x - self.low) / self.width).to_count().min(self.count - 1)
     }
 
     fn below(&self, c: u32) -> Option<u32> {

@@ -1,6 +1,6 @@
 //! What is a wall, and where is it now? Planes at rest and vibrating plates; reads a time, writes nothing.
 
-use crate::number::{Instant, Scalar, Vector};
+use crate::number::{Instant, Scalar, Vector, dot};
 
 /// What a plane does to a grain that touches it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,8 +79,8 @@ impl<S: Scalar> Vibration<S> {
 
     /// Sine and cosine of the phase at a time since the epoch.
     pub(crate) fn phase_at(&self, now: S) -> (S, S) {
-        let turns = self.turn + self.frequency * now;
-        (S::from_f64(core::f64::consts::TAU) * (turns - turns.round_down())).sine_cosine()
+        let turns = S::phase(self.turn, self.frequency, now);
+        (S::from_f64(core::f64::consts::TAU) * turns).sine_cosine()
     }
 
     /// The plate's motion at a time since the epoch.
@@ -97,9 +97,7 @@ impl<S: Scalar> Vibration<S> {
 
     /// The phase at a new epoch, from the whole number of periods passed: nothing adds up.
     pub(super) fn start_epoch(&mut self, epoch: Instant) {
-        let passed = epoch.part_of_period(self.frequency.to_f64());
-        let turn = self.phase.to_f64() + passed;
-        self.turn = S::from_f64(turn - libm::floor(turn));
+        self.turn = S::phase_at(self.phase, self.frequency, epoch);
     }
 }
 
@@ -154,6 +152,6 @@ impl<S: Scalar, const D: usize> Plane<S, D> {
 
     /// How far a grain is from touching the plane's mean position.
     pub(crate) fn mean_gap(&self, position: &Vector<S, D>, radius: S) -> S {
-        self.normal.dot(position) - self.offset - radius
+        dot(&self.normal, position) - self.offset - radius
     }
 }

@@ -1,6 +1,6 @@
 //! How do f32 and f64 count? The engine's operations on the two floating-point types.
 
-use super::Scalar;
+use super::{Product, Scalar, Vector};
 
 const TICKS_PER_UNIT: f64 = 18_446_744_073_709_551_616.0;
 
@@ -24,12 +24,38 @@ fn guess<S: Scalar>(x: S) -> S {
 
 macro_rules! float {
     ($t:ty, $bits:ty, $sincos:path, $floor:path, $frexp:path, $ldexp:path, $mantissa:expr, $per_epoch:expr) => {
+        impl Product<$t> for $t {
+            #[inline]
+            fn rounded(self) -> $t {
+                self
+            }
+            #[inline]
+            fn root(self) -> $t {
+                carom_tables::Real::sqrt(self)
+            }
+            #[inline]
+            fn over(self, divisor: $t) -> $t {
+                self / divisor
+            }
+        }
+
         impl Scalar for $t {
+            type Product = Self;
             // Finite, so that it survives every serialisation format.
             const NEVER: Self = <$t>::MAX;
+            // 2⁶² units, well before the last instant.
+            const LAST: Self = 4_611_686_018_427_387_904.0;
             const RESOLUTION: Self = <$t>::EPSILON;
             const EVENTS_PER_EPOCH: u32 = $per_epoch;
 
+            #[inline]
+            fn times(self, other: Self) -> Self {
+                self * other
+            }
+            #[inline]
+            fn dot<const D: usize>(a: &Vector<Self, D>, b: &Vector<Self, D>) -> Self {
+                a.dot(b)
+            }
             fn is_number(self) -> bool {
                 self.is_finite()
             }

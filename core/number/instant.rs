@@ -28,9 +28,6 @@ impl Instant {
     /// The start.
     pub const START: Self = Self { whole: 0, part: 0 };
 
-    /// The latest time at which an event can be: 2⁶² units, well before the last instant.
-    pub(crate) const LAST: f64 = 4_611_686_018_427_387_904.0;
-
     /// How long after `earlier` this is, rounded to the nearest `S`; negative if it is before.
     #[must_use]
     pub fn since<S: Scalar>(self, earlier: Self) -> S {
@@ -41,11 +38,7 @@ impl Instant {
     #[must_use]
     pub(crate) fn span_since<S: Scalar>(self, earlier: Self) -> S {
         let span: S = self.since(earlier);
-        if earlier + Self::from(span) > self {
-            span - span.magnitude() * S::RESOLUTION
-        } else {
-            span
-        }
+        if earlier + Self::from(span) > self { span.below() } else { span }
     }
 
     /// This instant as a number of time units; rounded.
@@ -63,13 +56,18 @@ impl Instant {
         f64::from_ticks(self.ticks().rem_euclid(period)) / f64::from_ticks(period)
     }
 
+    /// Whether this is visibly after another instant: by more than 2^−48 of its own age.
+    pub(crate) fn is_visibly_after(self, other: Self) -> bool {
+        self.ticks().saturating_sub(other.ticks()) > self.ticks() >> 48
+    }
+
     /// Its two words, for a digest.
     #[expect(clippy::cast_sign_loss, reason = "the bits are meant")]
     pub(crate) fn words(self) -> (u64, u64) {
         (self.whole as u64, self.part)
     }
 
-    fn ticks(self) -> i128 {
+    pub(super) fn ticks(self) -> i128 {
         (i128::from(self.whole) << 64) | i128::from(self.part)
     }
 

@@ -1,13 +1,20 @@
-//! What is a value? The operations the engine uses on numbers, for f32 and f64; reads nothing, writes nothing.
+//! What is a value? The operations the engine uses on numbers; reads nothing, writes nothing.
 //!
-//! Everything above this room is written against [`Scalar`], so a fixed-point type fits in by
-//! implementing one trait. All transcendental functions come from software (`libm`), so a target
-//! with a floating-point unit gives the same bits as one without.
+//! Everything above this room is written against [`Scalar`]: `f32`, `f64` and, with the feature `fixed`,
+//! `I32F32` and `I16F16`. All transcendental functions come from software (`libm`), so a target
+//! with a floating-point unit gives the same bits as one without; fixed point uses no float at all.
+//!
+//! Squares and other products have a type of their own, [`Product`]: the sums, differences, roots and
+//! quotients in which a fixed-point number would overflow or lose its last places are taken from it.
 
+#[cfg(feature = "fixed")]
+mod fixed;
 mod float;
 mod instant;
 
 pub use carom_tables::Real;
+#[cfg(feature = "fixed")]
+pub use carom_tables::number::{I16F16, I32F32};
 pub use instant::Instant;
 
 use core::fmt::{Debug, Display};
@@ -16,9 +23,27 @@ use core::ops::{AddAssign, MulAssign, SubAssign};
 /// A vector of `D` components of `S`.
 pub type Vector<S, const D: usize> = nalgebra::SVector<S, D>;
 
+/// A product of two numbers or a sum of such, before it is rounded.
+///
+/// For a float it is that float. For a fixed-point number it has twice as many bits and is exact.
+pub trait Product<S>:
+    Copy
+    + PartialOrd
+    + core::ops::Add<Output = Self>
+    + core::ops::Sub<Output = Self>
+    + core::ops::Neg<Output = Self>
+{
+    /// The nearest number.
+    fn rounded(self) -> S;
+    /// The square root.
+    fn root(self) -> S;
+    /// Divided by a number.
+    fn over(self, divisor: S) -> S;
+}
+
 /// A number the engine can count, measure and compare with.
 ///
-/// Implemented for `f32` and `f64`. Each method is exactly one operation the engine needs.
+/// Implemented for `f32`, `f64` and the fixed-point numbers. Each method is exactly one operation the engine needs.
 pub trait Scalar:
     Real
     + nalgebra::Scalar
@@ -40,10 +65,23 @@ pub trait Scalar:
 {
     /// A time that no event reaches.
     const NEVER: Self;
-    /// The relative distance of neighbouring values near one.
+    /// No event is predicted for later than this.
+    const LAST: Self;
+    /// When it is later than this the clock is set back in any case.
+    const LATE: Self = Self::NEVER;
+    /// The distance of neighbouring values near one.
     const RESOLUTION: Self;
     /// After how many events per grain the clock is set back, see [`crate::world::World`].
     const EVENTS_PER_EPOCH: u32;
+    /// The largest position and velocity, if a number can leave the range without being infinite.
+    const RANGE: Option<Self> = None;
+
+    /// The type of products.
+    type Product: Product<Self>;
+    /// The product, not yet rounded.
+    fn times(self, other: Self) -> Self::Product;
+    /// The scalar product, not yet rounded.
+    fn dot<const D: usize>(a: &Vector<Self, D>, b: &Vector<Self, D>) -> Self::Product;
 
     /// Whether this is a number that can be computed with: neither NaN nor infinite.
     fn is_number(self) -> bool;
@@ -67,6 +105,74 @@ pub trait Scalar:
     /// The value nearest to a number of steps of 2^−64.
     fn from_ticks(ticks: i128) -> Self;
 
+    /// Whether a position or velocity is within the range in which everything can be computed.
+    fn in_range(self) -> bool {
+        self.is_number()
+    }
+    /// The distance to the neighbouring values, about.
+    fn rounding(self) -> Self {
+        self * Self::RESOLUTION
+    }
+    /// A value just below this one.
+    fn below(self) -> Self {
+        self - self.magnitude() * Self::RESOLUTION
+    }
+    /// A whole number.
+    #[must_use]
+    fn from_count(count: u32) -> Self {
+        Self::from_f64(f64::from(count))
+    }
+    /// The whole part; 0 for what is below zero and for what is not a number.
+    fn to_count(self) -> u32 {
+        // A cast from float saturates, and NaN gives 0.
+        self.to_f64() as u32
+    }
+    /// √(self/other).
+    fn root_of_ratio(self, other: Self) -> Self {
+        (self / other).sqrt()
+    }
+    /// k^(−2/5) v^(−1/5): MP13's Eq. (53).
+    fn contact_time(k: Self, v: Self) -> Self {
+        k.inverse_fifth_root() * (k * v).inverse_fifth_root()
+    }
+    /// The phase in turns, without the whole ones, a span after it was `turn`.
+    fn phase(turn: Self, frequency: Self, span: Self) -> Self {
+        let turns = turn + frequency * span;
+        turns - turns.round_down()
+    }
+    /// The phase in turns, without the whole ones, at an instant.
+    fn phase_at(start: Self, frequency: Self, at: Instant) -> Self {
+        let turn = start.to_f64() + at.part_of_period(frequency.to_f64());
+        Self::from_f64(turn - libm::floor(turn))
+    }
+    /// The smallest step of a search: an acceleration `bound` changes a distance of this size by less
+    /// than its rounding meanwhile.
+    fn least_step(size: Self, bound: Self) -> Self {
+        (Self::RESOLUTION * Self::half() * (size / bound)).sqrt()
+    }
+    /// An acceleration above zero too weak to matter to something of this size before the limit.
+    fn weak(size: Self, limit: Self) -> Self {
+        let span = limit.smaller(Self::from_f32(1e9)).larger(Self::RESOLUTION);
+        Self::RESOLUTION * (size / span) / span + Self::RESOLUTION * Self::RESOLUTION * size
+    }
+    /// Whether a part of a vector is below a hundredth of it.
+    fn negligible<const D: usize>(part: &Vector<Self, D>, of: &Vector<Self, D>) -> bool {
+        part.dot(part) <= of.dot(of) * Self::from_f32(1e-4)
+    }
+    /// When two spheres touch, if this type finds it in a way of its own, see [`crate::event::root::spheres`].
+    #[must_use]
+    fn meeting<const D: usize>(
+        _: &Vector<Self, D>,
+        _: &Vector<Self, D>,
+        _: Self,
+    ) -> Option<Option<Self>> {
+        None
+    }
+    /// After which span a body of this speed and acceleration may have left the range; none if it cannot.
+    fn horizon(_speed: Self, _acceleration: Self) -> Option<Self> {
+        None
+    }
+
     /// The larger of two numbers.
     fn larger(self, other: Self) -> Self {
         if other > self { other } else { self }
@@ -89,4 +195,21 @@ pub trait Scalar:
 /// Whether every component can be computed with.
 pub fn all_numbers<S: Scalar, const D: usize>(v: &Vector<S, D>) -> bool {
     v.iter().all(|x| x.is_number())
+}
+
+/// The scalar product.
+#[inline]
+pub fn dot<S: Scalar, const D: usize>(a: &Vector<S, D>, b: &Vector<S, D>) -> S {
+    S::dot(a, b).rounded()
+}
+
+/// The length of a vector.
+#[inline]
+pub fn norm<S: Scalar, const D: usize>(v: &Vector<S, D>) -> S {
+    S::dot(v, v).root()
+}
+
+/// The magnitude of the largest component.
+pub fn largest<S: Scalar, const D: usize>(v: &Vector<S, D>) -> S {
+    v.iter().fold(S::zero(), |most, x| most.larger(x.magnitude()))
 }

@@ -3,13 +3,13 @@
 use crate::event::scene::Scene;
 use crate::fault::{Fault, Subject};
 use crate::matter::{Body, Boundary, Grain, Partner, Plane, Surface, Vibration};
-use crate::number::{Instant, Scalar, Vector};
+use crate::number::{Instant, Scalar, Vector, dot, norm};
 
 fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Result<(), Fault> {
     let subject = Subject::Plane(number);
     finite(subject, "normal", &plane.normal)?;
-    let length = plane.normal.dot(&plane.normal).to_f64();
-    if (length - 1.0).abs() > 1e-5 {
+    let length = dot(&plane.normal, &plane.normal).to_f64();
+    if (length - 1.0).abs() > 1e-5_f64.max(8.0 * S::RESOLUTION.to_f64()) {
         return Err(Fault::input(subject, "normal's length squared", length, "1"));
     }
     if !plane.offset.is_number() {
@@ -51,8 +51,14 @@ pub(super) fn grain<S: Scalar, const D: usize>(
 ) -> Result<(), Fault> {
     let subject = Subject::Grain(number);
     for (field, value) in [("radius", grain.radius), ("mass", grain.mass)] {
+        fits(subject, field, value)?;
         if !(value > S::zero() && value.is_number()) {
             return Err(Fault::input(subject, field, value.to_f64(), "finite and above 0"));
+        }
+        if S::RANGE.is_some() && value < S::RESOLUTION * S::from_f32(1024.0) {
+            let wanted =
+                "at least 1024 steps of the fixed-point number: choose a smaller unit for it";
+            return Err(Fault::input(subject, field, value.to_f64(), wanted));
         }
     }
     finite(subject, "position", &grain.position)?;
@@ -117,7 +123,7 @@ pub(super) fn overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Re
         scene.cells.near(body.cell, |b, _| {
             if let Some(other) = scene.body(b).filter(|_| b < a && checked.is_ok()) {
                 let apart = scene.separation(body, other);
-                let gap = apart.dot(&apart).sqrt() - (body.radius + other.radius);
+                let gap = norm(&apart) - (body.radius + other.radius);
                 checked = refuse_overlap((a, body), Partner::grain(b), gap, far);
             }
         });
@@ -137,11 +143,19 @@ fn refuse_overlap<S: Scalar, const D: usize>(
     far: S,
 ) -> Result<(), Fault> {
     let far = body.position.iter().fold(far, |far, x| far.larger(x.magnitude()));
-    let rounding = S::RESOLUTION * S::from_f32(32.0) * far;
+    let rounding = far.rounding() * S::from_f32(32.0);
     if gap >= -rounding {
         return Ok(());
     }
     Err(Fault::Overlap { grain, with, gap: gap.to_f64() })
+}
+
+/// What is no number in fixed point is one that was too large.
+fn fits<S: Scalar>(subject: Subject, field: &'static str, value: S) -> Result<(), Fault> {
+    match S::RANGE {
+        Some(most) if !value.in_range() => Err(Fault::overflow(subject, field, most.to_f64())),
+        _ => Ok(()),
+    }
 }
 
 fn finite<S: Scalar, const D: usize>(
@@ -149,6 +163,7 @@ fn finite<S: Scalar, const D: usize>(
     field: &'static str,
     v: &Vector<S, D>,
 ) -> Result<(), Fault> {
+    v.iter().try_for_each(|&x| fits(subject, field, x))?;
     match v.iter().find(|x| !x.is_number()) {
         Some(x) => Err(Fault::input(subject, field, x.to_f64(), "a finite number")),
         None => Ok(()),

@@ -13,9 +13,6 @@ use crate::number::{Instant, Scalar, Vector, all_numbers};
 /// Events that a grain can have at one instant, on average, before the world is called stuck.
 const EVENTS_AT_ONCE: u32 = 4096;
 
-/// The part of the world's age by which time must move on to count as another instant: 2^−48.
-const VISIBLE: f64 = 3.552_713_678_800_501e-15;
-
 /// So many times as many looks around as events end an epoch, too.
 const WANDERS: u32 = 64;
 
@@ -65,8 +62,15 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Err(Fault::Past { asked, now });
         }
         while self.step_until(asked.span_since(self.scene.epoch), watch)?.is_some() {}
-        self.scene.now = self.scene.now.larger(asked.span_since(self.scene.epoch));
-        Ok(())
+        loop {
+            let span: S = asked.span_since(self.scene.epoch);
+            self.scene.now = self.scene.now.larger(span.smaller(S::LATE));
+            if !(span > S::LATE) {
+                return Ok(());
+            }
+            self.set_clocks_back(self.scene.now);
+            self.predict_all();
+        }
     }
 
     /// The next event that is due by `limit` happens.
@@ -84,6 +88,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         happening.deed = Some(self.apply(grain, &slot, &mut affected)?);
         self.reschedule(&affected)?;
         if slot.kind == Kind::Wander {
+            if S::RANGE.is_some() {
+                self.still_a_number(grain)?;
+            }
             let next = self.predict_ahead(grain, slot);
             self.queue.set(grain, next);
         }
@@ -127,7 +134,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Ok(());
         }
         let (at, events) = (self.now(), self.at_once);
-        if !(at.since::<f64>(self.mark) > at.as_f64() * VISIBLE) {
+        if !at.is_visibly_after(self.mark) {
             return Err(Fault::Stuck { grain, with: slot.with(), at, events });
         }
         (self.mark, self.at_once) = (at, 0);
@@ -154,9 +161,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// computed with. What lies on a grain that was at rest until now looks whether it is still held.
     fn reschedule(&mut self, affected: &Affected) -> Result<(), Fault> {
         for &grain in &affected.again {
-            if let Some(field) = self.scene.body(grain).and_then(apply::broken) {
-                return Err(Fault::NotFinite { grain, field, at: self.now() });
-            }
+            self.still_a_number(grain)?;
             let slot = self.predict(grain);
             self.queue.set(grain, slot);
         }
@@ -172,6 +177,22 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         Ok(())
     }
 
+    /// Whether a grain can still be computed with: now, too, if its number type has a range to leave.
+    fn still_a_number(&self, grain: usize) -> Result<(), Fault> {
+        let (scene, at) = (&self.scene, self.now());
+        let broken = match S::RANGE {
+            Some(_) => apply::broken(&scene.present(grain)),
+            None => scene.body(grain).and_then(apply::broken),
+        };
+        match (broken, S::RANGE) {
+            (None, _) => Ok(()),
+            (Some(field), None) => Err(Fault::NotFinite { grain, field, at }),
+            (Some(field), Some(most)) => {
+                Err(Fault::overflow(Subject::Grain(grain), field, most.to_f64()))
+            }
+        }
+    }
+
     /// Sets the clocks back by the leading digits of now once enough events have happened, so that times
     /// stay small and their last place fine, and predicts everything anew from there.
     ///
@@ -183,7 +204,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let grains = u32::try_from(self.scene.bodies.len()).unwrap_or(u32::MAX);
         let enough = S::EVENTS_PER_EPOCH.saturating_mul(grains).saturating_add(8);
         let due = self.since_epoch >= enough || self.wanders >= enough.saturating_mul(WANDERS);
-        if !(due && self.scene.now > S::zero()) {
+        let late = self.scene.now > S::LATE;
+        if !((due || late) && self.scene.now > S::zero()) {
             return;
         }
         self.set_clocks_back(self.scene.now.leading_digits());
@@ -204,7 +226,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
                 body.release_at -= back;
             }
             if body.moment > -S::NEVER {
-                body.moment -= back;
+                let moment = body.moment - back;
+                body.moment = if moment.is_number() { moment } else { -S::NEVER };
             }
         }
         self.scene.now = now;
@@ -218,6 +241,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// [`Fault::Input`] if a component is not finite.
     pub fn set_gravity(&mut self, gravity: [S; D]) -> Result<(), Fault> {
         let gravity = Vector::from(gravity);
+        if let Some(most) = S::RANGE.filter(|_| !gravity.iter().all(|x| x.in_range())) {
+            return Err(Fault::overflow(Subject::World, "gravity", most.to_f64()));
+        }
         if !all_numbers(&gravity) {
             let value = gravity.iter().find(|x| !x.is_number()).map_or(0.0, |x| x.to_f64());
             return Err(Fault::input(Subject::World, "gravity", value, "a finite number"));

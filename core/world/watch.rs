@@ -3,7 +3,7 @@
 use crate::event::scene::Scene;
 use crate::event::{Counters, Deed, Kind};
 use crate::matter::{Body, Boundary, Grain, Partner, flight};
-use crate::number::{Instant, Scalar, Vector};
+use crate::number::{Instant, Product, Scalar, Vector, dot};
 
 /// One event as an observer sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,7 +97,7 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
         let body = self.scene.body(index)?;
         let plane = body.partner.as_plane().and_then(|p| self.scene.boundary.planes().get(p));
         if let Some(plane) = plane {
-            let along = plane.normal.dot(&grain.velocity);
+            let along = dot(&plane.normal, &grain.velocity);
             grain.velocity -= plane.normal * along;
         }
         grain.velocity += body.release;
@@ -114,9 +114,9 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
     /// Kinetic energy Σ m v²/2, contacts under way counted as if they ended now.
     #[must_use]
     pub fn kinetic_energy(&self) -> S {
-        (0..self.len())
-            .filter_map(|i| self.released(i))
-            .fold(S::zero(), |sum, g| sum + S::half() * g.mass * g.velocity.dot(&g.velocity))
+        (0..self.len()).filter_map(|i| self.released(i)).fold(S::zero(), |sum, g| {
+            sum + S::half() * g.mass * S::dot(&g.velocity, &g.velocity).rounded()
+        })
     }
 
     /// Momentum Σ m v.

@@ -22,5 +22,7 @@ mod series;
 pub use form::{Certificate, Domain, Groups, Scaled, Table};
 pub use law::{End, Law};
 pub use number::Real;
+#[cfg(feature = "fixed")]
+pub use number::{I16F16, I32F32};
 #[cfg(feature = "generate")]
 pub use recipe::Recipe;

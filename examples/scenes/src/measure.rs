@@ -5,7 +5,7 @@ use carom::{Fault, Lend, Scalar};
 
 use crate::scene::n;
 use crate::stepped::Stepped;
-use crate::tilt::{self, BETWEEN_READINGS, Board, READINGS, Table, tilt_box};
+use crate::tilt::{self, BETWEEN_READINGS, Board, Table, tilt_box};
 
 /// What a run took.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,18 +18,19 @@ pub struct Cost {
     pub digest: u64,
 }
 
-/// The tilt box event by event, the whole script, without sleep and without pictures.
+/// The tilt box event by event, that many readings of the script, without sleep and without pictures.
 ///
 /// # Errors
 /// Any fault of the engine.
 pub fn event_driven<S: Scalar>(
     memory: &mut impl Lend<S, 2>,
     table: &'static Table,
+    readings: u32,
     board: &mut impl Board,
 ) -> Result<Cost, Fault> {
     let mut world = tilt_box(memory, table)?;
     let start = board.instructions();
-    for reading in 0..READINGS {
+    for reading in 0..readings {
         world.set_gravity(tilt::accelerometer(reading))?;
         world.advance_to(tilt::instant(reading + 1))?;
         board.instructions();
@@ -56,14 +57,14 @@ pub fn stepped<S: Scalar>(steps: u32, readings: u32, board: &mut impl Board) -> 
 
 /// One reading of a table, the mean over 64 places in its domain.
 pub fn lookup<S: Scalar>(table: &'static Table, board: &mut impl Board) -> u64 {
+    let places: [Groups<S>; 64] = core::array::from_fn(|k| {
+        let part = |prime: usize| (k * prime % 64) as f64 / 64.0;
+        let (eta, c_dis, sin) = (n(0.1 * part(5)), n(0.9 * part(11)), n::<S>(part(23)));
+        Groups { sin, cos: (S::one() - sin * sin).sqrt(), eta, c_dis }
+    });
     let start = board.instructions();
-    for k in 0..64 {
-        let part = |prime: u32| f64::from(k * prime % 64) / 64.0;
-        let (eta, c_dis) = (n(0.1 * part(5)), n(0.9 * part(11)));
-        let sin = part(23);
-        let (sin, cos) = (n::<S>(sin), (S::one() - n::<S>(sin * sin)).sqrt());
-        let groups = Groups { sin, cos, eta, c_dis };
-        core::hint::black_box(table.read(core::hint::black_box(&groups)));
+    for place in &places {
+        core::hint::black_box(table.read(core::hint::black_box(place)));
     }
     (board.instructions() - start) / 64
 }

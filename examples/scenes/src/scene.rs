@@ -58,9 +58,9 @@ pub const GRAVITY: f64 = 9.81e-3;
 type Dashpot<S> = Soft<LinearDashpot<S>, tables::Stored>;
 type Rubber<S> = Soft<Viscoelastic<S>, tables::Stored>;
 
-/// Rubber of 5 MPa with A = 0.1 ms, read from this table.
+/// Rubber of 5 MPa with A = 0.01 ms, read from this table.
 pub(crate) fn rubber<S: Scalar>(table: &'static tables::Table<tables::Stored>) -> Rubber<S> {
-    let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.1) };
+    let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.01) };
     Soft::with_table(law, table, Outside::HardSphere)
 }
 

@@ -61,7 +61,7 @@ impl<S: Scalar> Stepped<S> {
             Body { position, velocity, force: zero, listed: position, radius, mass }
         });
         let stiffness = n(2.0 / 3.0 * 477.5 / (1.0 - 0.4 * 0.4));
-        let (pairs, dissipation) = ([(0, 0); PAIRS], n(0.15));
+        let (pairs, dissipation) = ([(0, 0); PAIRS], n(0.015));
         let mut run = Self { bodies, pairs, count: 0, gravity: zero, step, stiffness, dissipation };
         run.list();
         run.forces();

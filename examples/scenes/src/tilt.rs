@@ -7,12 +7,14 @@ use crate::scene::{GRAVITY, grain, rubber, v};
 
 /// How many grains.
 pub const GRAINS: usize = 32;
-/// The side of the box in millimetres, and of the LED matrix in lamps.
-pub const SIDE: u32 = 16;
+/// The side of the box in millimetres.
+pub const SIDE: u32 = 24;
+/// The side of the LED matrix in lamps.
+const LAMPS: usize = 16;
 /// How long the script goes on: that many readings of the accelerometer.
 pub const READINGS: u32 = 40;
-/// Milliseconds between two readings: 20 Hz.
-pub const BETWEEN_READINGS: u32 = 50;
+/// Milliseconds between two readings: 40 Hz.
+pub const BETWEEN_READINGS: u32 = 25;
 /// Readings between two frames of the LED matrix.
 const READINGS_A_FRAME: u32 = 4;
 
@@ -35,7 +37,7 @@ pub trait Board {
 #[must_use]
 pub fn site<S: Scalar>(k: u32) -> carom::Grain<S, 2> {
     let odd = f64::from(k * 11 % 32);
-    let at = [1.335 + 2.665 * f64::from(k % 6), 1.335 + 2.665 * f64::from(k / 6)];
+    let at = [2.0 + 4.0 * f64::from(k % 6), 2.0 + 4.0 * f64::from(k / 6)];
     grain(0.6 + 0.6 / 31.0 * odd, at, [0.01 * (odd - 15.5), 0.01 * (16.0 - f64::from(k))])
 }
 
@@ -101,11 +103,11 @@ pub fn play<S: Scalar, R: Rule<S>>(
 
 /// The LED matrix: a lamp is lit where a grain's centre is, brighter where there are two.
 fn show<S: Scalar, R: Rule<S>>(world: &World<'_, S, 2, R>, board: &mut impl Board) {
-    const SIDE: usize = self::SIDE as usize;
-    let mut lamps = [[b'.'; SIDE]; SIDE];
+    let mut lamps = [[b'.'; LAMPS]; LAMPS];
     for grain in (0..GRAINS).filter_map(|k| world.grain(k)) {
-        let at = |x: S| (x.to_f64() as usize).min(SIDE - 1);
-        let lamp = lamps.get_mut(SIDE - 1 - at(grain.position.y));
+        let pitch = f64::from(SIDE) / LAMPS as f64;
+        let at = |x: S| ((x.to_f64() / pitch) as usize).min(LAMPS - 1);
+        let lamp = lamps.get_mut(LAMPS - 1 - at(grain.position.y));
         if let Some(lamp) = lamp.and_then(|row| row.get_mut(at(grain.position.x))) {
             *lamp = if *lamp == b'.' { b'o' } else { b'O' };
         }

@@ -5,6 +5,7 @@ mod column;
 
 use crate::contact::{follow, follow_quickly};
 use crate::form::{Branch, Domain, End, Frame, Law, Leaf, MAX_TERMS, Row};
+use crate::recipe::Number;
 pub(crate) use check::place;
 use check::{Check, errors};
 use column::Column;
@@ -29,6 +30,8 @@ pub(crate) struct Ask {
     pub start: [usize; 3],
     /// Rather bisect than take more nodes when the error is this many times the goal.
     pub patience: f64,
+    /// The number in which the table will be read.
+    pub number: Number,
     /// Integrate to 1e-12 rather than 1e-10.
     pub precise: bool,
     /// Typical collisions in the unit cube; empty: all are equally typical.

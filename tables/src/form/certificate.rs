@@ -15,8 +15,9 @@ pub struct Certificate {
     pub bytes: usize,
     /// Coefficients that one reading touches at most.
     pub terms: usize,
-    /// Largest error: `tau` relative, the others absolute, `angle` in radians.
-    /// The largest that was found, in single and in double precision, times `margin`.
+    /// Largest error: `tau` relative (of a quantised table: to T at least), the others absolute, `angle` in radians.
+    /// The largest that was found, times `margin`: in single and in double precision, or in the
+    /// fixed-point number for which it is meant.
     pub largest: Scaled<f64>,
     /// Largest error at typical collisions, times `margin`: those drawn log-uniformly from MP13's
     /// Tables I and II for a wide table, else those uniform in the domain.

@@ -25,6 +25,15 @@ pub struct Groups<S> {
     pub c_dis: S,
 }
 
+impl<S: Real> Groups<S> {
+    /// The same in the number in which tables are read.
+    fn precise(&self) -> Groups<S::Precise> {
+        let Self { sin, cos, eta, c_dis } = *self;
+        let [sin, cos, eta, c_dis] = [sin, cos, eta, c_dis].map(S::precise);
+        Groups { sin, cos, eta, c_dis }
+    }
+}
+
 /// Scaled restitution of one collision: the independent entries of MP13's matrix of restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaled<S> {
@@ -36,6 +45,15 @@ pub struct Scaled<S> {
     pub angle: S,
     /// Distance of the centres after over before (MP13 Eq. 16).
     pub separation: S,
+}
+
+impl<S: Real> Scaled<S> {
+    /// From the number in which tables are read.
+    fn rounded(precise: Scaled<S::Precise>) -> Self {
+        let Scaled { tau, speed, angle, separation } = precise;
+        let [tau, speed, angle, separation] = [tau, speed, angle, separation].map(S::rounded);
+        Self { tau, speed, angle, separation }
+    }
 }
 
 /// A number as a table stores it.
@@ -53,6 +71,17 @@ impl Stored for f32 {
 impl Stored for f64 {
     fn get<S: Real>(self) -> S {
         S::from_f64(self)
+    }
+}
+
+/// A number in steps of 2^−28, from −8 to 8: as good as an `f32` near one, and read without float arithmetic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quanta(pub i32);
+
+impl Stored for Quanta {
+    #[inline]
+    fn get<S: Real>(self) -> S {
+        S::from_quanta(self.0)
     }
 }
 
@@ -76,12 +105,21 @@ pub struct Body<'a, C> {
 impl<C: Stored> Body<'_, C> {
     /// The restitution of one collision; `None` outside the domain and for NaN.
     pub fn read<S: Real>(&self, g: &Groups<S>) -> Option<Scaled<S>> {
+        self.read_precise(&g.precise()).map(Scaled::rounded)
+    }
+
+    /// The restitution of the nearest collision inside the domain; NaN becomes the lower end.
+    pub fn read_nearest<S: Real>(&self, g: &Groups<S>) -> Option<Scaled<S>> {
+        self.read_precise(&self.domain.clamp(&g.precise())).map(Scaled::rounded)
+    }
+
+    fn read_precise<S: Real>(&self, g: &Groups<S>) -> Option<Scaled<S>> {
         if !self.domain.contains(g) {
             return None;
         }
         let one = S::from_f32(1.0);
         let tan = g.sin / g.cos;
-        let groups = [tan * tan * g.eta, g.eta, g.c_dis];
+        let groups = [S::push(tan, g.eta), g.eta, g.c_dis];
         let (columns, direct) = leaf::evaluate(self, self.frame.coordinates(groups))?;
         let [tau, speed, angle] = self.frame.unscale(groups, tan * g.eta, direct, columns);
         let separation = match self.frame.end {
@@ -139,5 +177,10 @@ impl<C: Stored> Table<C> {
     /// Scaled as in [`Scaled`]; multiply with the law's `T` and normal impact speed.
     pub fn read<S: Real>(&self, g: &Groups<S>) -> Option<Scaled<S>> {
         self.body.read(g)
+    }
+
+    /// The restitution of the nearest collision inside the domain, axis by axis; NaN becomes the lower end.
+    pub fn read_nearest<S: Real>(&self, g: &Groups<S>) -> Option<Scaled<S>> {
+        self.body.read_nearest(g)
     }
 }

@@ -1,12 +1,14 @@
 //! How wrong is a table at worst? Reads it at points the fit did not see; writes its certificate.
 
-use super::made::{Made, Store};
+use super::made::{Made, Number, Store};
 use super::range;
 use super::spread::Spread;
 use crate::contact::{follow, follow_quickly, outcome_at};
 use crate::fit::{Ask, Fit, place};
 use crate::form::{Body, Certificate, Domain, Groups, Law, Scaled};
 use crate::number::Real;
+#[cfg(feature = "fixed")]
+use crate::number::{I16F16, I32F32};
 
 const CITATION: &str = "P. Müller and T. Pöschel, Event-driven molecular dynamics of soft particles, \
      Phys. Rev. E 87, 033301 (2013), Eqs. 8, 10, 40, 51";
@@ -109,29 +111,40 @@ fn peak<C: Store>(ask: &Ask, made: &Made<C>, n: usize, spread: &mut Spread) -> G
     Groups { sin: libm::sqrt(kappa / whole), cos: libm::sqrt(eta / whole), eta, c_dis }
 }
 
-/// The larger of the errors of both readers, single and double; `None` outside the domain.
+/// The error of the reader for which the table is meant; for `f32` the larger of those of both floats.
+/// `None` outside the domain.
 fn error_at<C: Store>(ask: &Ask, body: &Body<'_, C>, g: &Groups<f64>) -> Option<Scaled<f64>> {
-    if C::PRECISE {
-        return Some(difference(truth(ask, g), body.read(g)?));
+    match ask.number {
+        Number::F64 => Some(difference(truth(ask, g), body.read(g)?, 0.0)),
+        Number::F32 => {
+            let (g, got) = read_in::<f32, C>(body, g)?;
+            let truth = truth(ask, &g);
+            let double = body.read(&g).map_or(NOTHING, |double| difference(truth, double, 0.0));
+            Some(larger(difference(truth, got, 0.0), double))
+        }
+        #[cfg(feature = "fixed")]
+        Number::I32F32 => fixed_error(ask, read_in::<I32F32, C>(body, g)?),
+        #[cfg(feature = "fixed")]
+        Number::I16F16 => fixed_error(ask, read_in::<I16F16, C>(body, g)?),
     }
-    let single =
-        Groups { sin: g.sin as f32, cos: g.cos as f32, eta: g.eta as f32, c_dis: g.c_dis as f32 };
-    let got = body.read(&single)?;
-    let g = Groups {
-        sin: single.sin.to_f64(),
-        cos: single.cos.to_f64(),
-        eta: single.eta.to_f64(),
-        c_dis: single.c_dis.to_f64(),
-    };
-    let truth = truth(ask, &g);
-    let got = Scaled {
-        tau: got.tau.to_f64(),
-        speed: got.speed.to_f64(),
-        angle: got.angle.to_f64(),
-        separation: got.separation.to_f64(),
-    };
-    let double = body.read(&g).map_or(NOTHING, |double| difference(truth, double));
-    Some(larger(difference(truth, got), double))
+}
+
+/// The groups as `S` has them, and what the table says to them in `S`.
+fn read_in<S: Real, C: Store>(
+    body: &Body<'_, C>,
+    g: &Groups<f64>,
+) -> Option<(Groups<f64>, Scaled<f64>)> {
+    let [sin, cos, eta, c_dis] = [g.sin, g.cos, g.eta, g.c_dis].map(S::from_f64);
+    let got = body.read(&Groups { sin, cos, eta, c_dis })?;
+    let [sin, cos, eta, c_dis] = [sin, cos, eta, c_dis].map(S::to_f64);
+    let got = scaled([got.tau, got.speed, got.angle, got.separation].map(S::to_f64));
+    Some((Groups { sin, cos, eta, c_dis }, got))
+}
+
+/// A fixed-point number has no relative precision: durations below T count as T.
+#[cfg(feature = "fixed")]
+fn fixed_error(ask: &Ask, (g, got): (Groups<f64>, Scaled<f64>)) -> Option<Scaled<f64>> {
+    Some(difference(truth(ask, &g), got, 1.0))
 }
 
 fn truth(ask: &Ask, g: &Groups<f64>) -> Scaled<f64> {
@@ -139,9 +152,12 @@ fn truth(ask: &Ask, g: &Groups<f64>) -> Scaled<f64> {
     outcome_at(ask.end, g, |kappa| run(ask.law, ask.end, kappa, g.eta, g.c_dis))
 }
 
-fn difference(truth: Scaled<f64>, got: Scaled<f64>) -> Scaled<f64> {
+/// Of the duration relative to it, or to `least` if that is longer.
+fn difference(truth: Scaled<f64>, got: Scaled<f64>, least: f64) -> Scaled<f64> {
+    let tau =
+        if truth.tau < least { (got.tau - truth.tau) / least } else { got.tau / truth.tau - 1.0 };
     Scaled {
-        tau: (got.tau / truth.tau - 1.0).abs(),
+        tau: tau.abs(),
         speed: (got.speed - truth.speed).abs(),
         angle: (got.angle - truth.angle).abs(),
         separation: (got.separation - truth.separation).abs(),

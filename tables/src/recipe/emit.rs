@@ -27,7 +27,7 @@ pub(super) fn text<C: Store>(made: &Made<C>, name: &str, form: &str) -> String {
         c.end,
         c.bytes,
         c.largest.tau,
-        C::NAME
+        if C::NAME == "Quanta" { format!("{form}::Quanta") } else { C::NAME.into() }
     );
     certificate(&mut out, made, form);
     body(&mut out, made, form);
@@ -71,16 +71,21 @@ fn body<C: Store>(out: &mut String, made: &Made<C>, form: &str) {
          softness: {:?}, c_dis: {:?}, bend: {:?} }},",
         b.domain, f.law, f.end, f.wide, f.kappa_scale, f.softness, f.c_dis, f.bend,
     );
+    if C::NAME == "Quanta" {
+        *out = out.replace(" Quanta(", &format!(" {form}::Quanta("));
+    }
+    let coefficients =
+        format!("{:?}", b.coefficients).replace("Quanta(", &format!("{form}::Quanta("));
     let branches: Vec<String> = b.branches.iter().map(|b| format!("{form}::{b:?}")).collect();
     let leaves: Vec<String> = b.leaves.iter().map(|l| format!("{form}::{l:?}")).collect();
     let rows: Vec<String> = b.rows.iter().map(|r| format!("{form}::{r:?}")).collect();
     let _ = writeln!(
         out,
-        "branches: &[{}],\nleaves: &[{}],\nrows: &[{}],\ncoefficients: &{:?},\n}},",
+        "branches: &[{}],\nleaves: &[{}],\nrows: &[{}],\ncoefficients: &{},\n}},",
         branches.join(", "),
         leaves.join(", "),
         rows.join(", "),
-        b.coefficients,
+        coefficients,
     );
 }
 

@@ -16,6 +16,10 @@ use crate::form::{Domain, End, Frame, Groups, Law, SOFT};
 pub use error::Error;
 pub use made::{Made, Number};
 
+/// The tolerance of tables for `I16F16`: half a step.
+#[cfg(feature = "fixed")]
+const COARSE: f64 = 1.0 / 131_072.0;
+
 /// What a table shall hold: a law, an end, a domain, a tolerance.
 ///
 /// In a `build.rs`:
@@ -130,10 +134,16 @@ impl Recipe {
         self
     }
 
-    /// Stored number; `f32` unless said.
+    /// Stored number; `f32` unless said. A table for `I16F16`, whose steps are 1.5e-5, aims no lower.
+    ///
+    /// A quantised table cannot hold numbers above 8, so it cannot be a wide one.
     #[must_use]
     pub fn number(mut self, number: Number) -> Self {
         self.number = number;
+        #[cfg(feature = "fixed")]
+        if number == Number::I16F16 && self.tolerance < COARSE {
+            return self.tolerance(COARSE);
+        }
         self
     }
 
@@ -157,10 +167,14 @@ impl Recipe {
     /// Names the field that is out of range, its value and what would be right.
     pub fn generate<C: made::Store>(&self) -> Result<Made<C>, Error> {
         self.check()?;
+        let limits = self.limits();
+        self.fits::<C>(&[limits.softness_max, limits.c_dis_max, limits.stick_max])?;
         let mut tolerance = self.tolerance;
         while tolerance < 0.2 {
             let ask = self.ask::<C>(tolerance);
-            let made = Made::<C>::new(&ask, fit(&ask));
+            let fit = fit(&ask);
+            self.fits::<C>(&fit.coefficients)?;
+            let made = Made::<C>::new(&ask, fit);
             if self.bytes_max.is_none_or(|most| made.body().bytes() <= most) {
                 return Ok(made.certified(&ask, self.points));
             }
@@ -181,6 +195,10 @@ impl Recipe {
         Ok(match self.number {
             Number::F32 => emit::text(&self.generate::<f32>()?, name, &self.form),
             Number::F64 => emit::text(&self.generate::<f64>()?, name, &self.form),
+            #[cfg(feature = "fixed")]
+            Number::I32F32 | Number::I16F16 => {
+                emit::text(&self.generate::<crate::form::Quanta>()?, name, &self.form)
+            }
         })
     }
 
@@ -190,6 +208,24 @@ impl Recipe {
     /// Names the field that is out of range, or the file that could not be written.
     pub fn write(&self, path: impl AsRef<Path>, name: &str) -> Result<(), Error> {
         emit::write(path.as_ref(), &self.emit(name)?)
+    }
+
+    /// Whether the stored number is large enough for these.
+    fn fits<C: made::Store>(&self, numbers: &[f64]) -> Result<(), Error> {
+        if numbers.iter().all(|a| a.abs() <= C::MOST) {
+            return Ok(());
+        }
+        let wanted = "f32 or f64: the table has a number too large for steps of 2^-28";
+        Err(Error::field("number", format!("{:?}", self.read_in::<C>()), wanted))
+    }
+
+    /// The number in which the table is certified.
+    fn read_in<C: made::Store>(&self) -> Number {
+        #[cfg(feature = "fixed")]
+        if C::NUMBER == Number::I32F32 && self.number == Number::I16F16 {
+            return self.number;
+        }
+        C::NUMBER
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -239,6 +275,7 @@ impl Recipe {
             limit: self.limit,
             start: if wide { [6, 4, 6] } else { [10, 4, 10] },
             patience: if wide { 40.0 } else { 1e5 },
+            number: self.read_in::<C>(),
             precise: tolerance < 1e-8,
             typical,
             checked: Domain { cos_min: domain.cos_min * if wide { 0.5 } else { 1.0 }, ..domain },
@@ -248,7 +285,7 @@ impl Recipe {
 
     /// The coordinates, their constants as they will be stored.
     fn frame<C: made::Store>(&self, wide: bool) -> Frame<f64> {
-        let round = |value: f64| C::from_f64(value).to_f64();
+        let round = |value: f64| C::nearest(value).value();
         let bend = match (self.end, wide, self.law) {
             (End::Overlap, ..) | (End::Force, true, Law::Viscoelastic) => 0.0,
             (End::Force, true, Law::LinearDashpot) => 0.2,

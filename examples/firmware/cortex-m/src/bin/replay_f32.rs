@@ -1,23 +1,11 @@
-//! Which digests does this machine get in f32? Reads the command line; writes lines over semihosting.
+//! Which digests does this board get in f32? Reads the command line; writes lines over semihosting.
 #![no_std]
 #![no_main]
 
-use carom_scenes::{
-    Event, Scene,
-    replay::{Told, replay},
-};
 use cortex_m_rt::entry;
-use semihosting::{println, process};
+use semihosting::process;
 
 #[entry]
 fn main() -> ! {
-    for scene in Scene::ALL {
-        let mut tell = |Event { number, digest }: Event| {
-            println!("{} f32 {number} {digest:016x}", scene.name())
-        };
-        if let Err(fault) = replay::<f32>(scene, Told::thousandths(10_000), &mut tell) {
-            println!("{}: {fault}", scene.name());
-        }
-    }
-    process::exit(0)
+    process::exit(carom_cortex_m::replay::main::<f32>("f32"))
 }

@@ -2,10 +2,17 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+#[cfg(feature = "fixed")]
+pub mod fixed;
+#[cfg(feature = "fixed")]
+pub mod integer;
+#[cfg(feature = "fixed")]
+pub use self::fixed::{I16F16, I32F32};
+
 /// The operations that reading a table uses, and no more.
 ///
-/// Implemented for `f32` and `f64`. Both go through `libm`, so every target gets the same bits.
-/// A fixed-point type can implement it too.
+/// Implemented for `f32` and `f64`, which both go through `libm`, so every target gets the same bits,
+/// and with the feature `fixed` for `I32F32` and `I16F16`, whose operations use no float at all.
 pub trait Real:
     Copy
     + PartialOrd
@@ -27,7 +34,23 @@ pub trait Real:
     fn cbrt(self) -> Self;
     /// `ln(1 + self)` of a value that is not negative.
     fn ln_1p(self) -> Self;
+    /// A number of steps of 2^−28, as quantised tables store them.
+    fn from_quanta(quanta: i32) -> Self;
+    /// `kappa = tan² eta`, the centrifugal push.
+    fn push(tangent: Self, eta: Self) -> Self {
+        tangent * tangent * eta
+    }
+
+    /// The number in which a table is read: this one, unless it is too coarse for it.
+    type Precise: Real;
+    /// The same value.
+    fn precise(self) -> Self::Precise;
+    /// The nearest value of this type.
+    fn rounded(precise: Self::Precise) -> Self;
 }
+
+/// The step of the numbers in a quantised table, 2^−28.
+pub const QUANTUM: f64 = 1.0 / 268_435_456.0;
 
 impl Real for f32 {
     fn from_f32(value: f32) -> Self {
@@ -47,6 +70,18 @@ impl Real for f32 {
     }
     fn ln_1p(self) -> Self {
         libm::log1pf(self)
+    }
+    fn from_quanta(quanta: i32) -> Self {
+        quanta as f32 * QUANTUM as f32
+    }
+    type Precise = Self;
+    #[inline]
+    fn precise(self) -> Self {
+        self
+    }
+    #[inline]
+    fn rounded(precise: Self) -> Self {
+        precise
     }
 }
 
@@ -68,5 +103,17 @@ impl Real for f64 {
     }
     fn ln_1p(self) -> Self {
         libm::log1p(self)
+    }
+    fn from_quanta(quanta: i32) -> Self {
+        f64::from(quanta) * QUANTUM
+    }
+    type Precise = Self;
+    #[inline]
+    fn precise(self) -> Self {
+        self
+    }
+    #[inline]
+    fn rounded(precise: Self) -> Self {
+        precise
     }
 }

@@ -1,0 +1,11 @@
+//! Which digests does this board get in f64? Reads the command line; writes lines over semihosting.
+#![no_std]
+#![no_main]
+
+use cortex_m_rt::entry;
+use semihosting::process;
+
+#[entry]
+fn main() -> ! {
+    process::exit(carom_cortex_m::replay::main::<f64>("f64"))
+}

@@ -1,0 +1,19 @@
+//! What happens in a box that is tilted? Reads a scripted accelerometer; shows an LED matrix over semihosting.
+#![no_std]
+#![no_main]
+
+use carom_cortex_m::{Chip, app, table};
+use carom_scenes::tilt::Board;
+use cortex_m_rt::entry;
+use semihosting::process;
+
+#[entry]
+fn main() -> ! {
+    let Some(peripherals) = cortex_m::Peripherals::take() else { process::exit(2) };
+    let mut chip = Chip::start(peripherals.SYST);
+    if app::tilt_box::<f32>(table(), &mut chip).is_err() {
+        chip.write(b"fault\n");
+        process::exit(1)
+    }
+    process::exit(0)
+}

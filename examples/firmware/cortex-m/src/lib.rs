@@ -1,0 +1,110 @@
+//! What does a Cortex-M board offer? Reads SysTick; writes over semihosting, sleeps.
+#![no_std]
+
+#[path = "../../app.rs"]
+pub mod app;
+#[path = "../../replay.rs"]
+pub mod replay;
+#[path = "../../stack.rs"]
+pub mod stack;
+
+use carom_scenes::tilt::{Board, Table};
+use cortex_m::peripheral::syst::SystClkSource;
+use cortex_m::peripheral::{SCB, SYST};
+use semihosting::io::{self, Write};
+
+/// A Cortex-M4F (it has the hard-float ABI), or a Cortex-M0?
+pub const M4F: bool = cfg!(target_abi = "eabihf");
+
+/// The core clock of the board as QEMU runs it: MPS2 with AN386, or the micro:bit.
+const TICKS_PER_MILLISECOND: u32 = if M4F { 25_000 } else { 16_000 };
+
+/// With `-icount shift=0` one instruction takes one virtual nanosecond.
+const NANOSECONDS_PER_MILLISECOND: u64 = 1_000_000;
+
+/// The longest that SysTick can count.
+const LONGEST: u32 = 0x00FF_FFFF;
+
+/// How much of the stack is painted: most of the micro:bit's 16 KiB.
+pub const PAINT: usize = if M4F { 32 * 1024 } else { 8 * 1024 };
+
+/// The table of this board's tilt box: the compact one where flash is short.
+#[must_use]
+pub fn table() -> &'static Table {
+    use carom::law::tables;
+    if M4F { &tables::standard::VISCOELASTIC } else { &tables::compact::VISCOELASTIC }
+}
+
+/// The board: its clock, and a console.
+pub struct Chip {
+    clock: SYST,
+    /// Ticks before the present count.
+    before: u64,
+    /// The length of the present count, less one.
+    reload: u32,
+    console: Option<io::Stdout>,
+}
+
+impl Chip {
+    /// Starts the clock.
+    ///
+    /// Interrupts stay masked: SysTick's becomes pending at the end of a count, which ends a sleep and
+    /// needs no handler.
+    #[must_use]
+    pub fn start(mut clock: SYST) -> Self {
+        cortex_m::interrupt::disable();
+        clock.set_clock_source(SystClkSource::Core);
+        clock.set_reload(LONGEST);
+        clock.clear_current();
+        clock.enable_interrupt();
+        clock.enable_counter();
+        Self { clock, before: 0, reload: LONGEST, console: io::stdout().ok() }
+    }
+
+    /// Ticks since the start.
+    fn ticks(&mut self) -> u64 {
+        let mut left = SYST::get_current();
+        if SCB::is_pendst_pending() {
+            SCB::clear_pendst();
+            self.before += u64::from(self.reload) + 1;
+            left = SYST::get_current();
+        }
+        // The count begins with one tick at zero.
+        let counted = if left == 0 { 0 } else { self.reload - left + 1 };
+        self.before + u64::from(counted)
+    }
+
+    /// Counts anew from this number.
+    fn count_from(&mut self, reload: u32) {
+        self.before = self.ticks();
+        self.reload = reload;
+        self.clock.set_reload(reload);
+        self.clock.clear_current();
+    }
+}
+
+impl Board for Chip {
+    fn write(&mut self, text: &[u8]) {
+        if let Some(console) = &mut self.console {
+            // There is nobody to tell if the console is gone.
+            let _ = console.write_all(text);
+        }
+    }
+
+    fn sleep_until(&mut self, milliseconds: f64) {
+        let end = (milliseconds * f64::from(TICKS_PER_MILLISECOND)) as u64;
+        loop {
+            let rest = end.saturating_sub(self.ticks());
+            if rest < 64 {
+                return;
+            }
+            self.count_from(rest.min(u64::from(LONGEST)) as u32);
+            cortex_m::asm::wfi();
+            self.count_from(LONGEST);
+        }
+    }
+
+    fn instructions(&mut self) -> u64 {
+        self.ticks() * NANOSECONDS_PER_MILLISECOND / u64::from(TICKS_PER_MILLISECOND)
+    }
+}

@@ -1,0 +1,18 @@
+//! What happens in a box that is tilted? Reads a scripted accelerometer; shows an LED matrix over semihosting.
+#![no_std]
+#![no_main]
+
+use carom_riscv::{Chip, app, table};
+use carom_scenes::tilt::Board;
+use riscv_rt::entry;
+use semihosting::process;
+
+#[entry]
+fn main() -> ! {
+    let mut chip = Chip::start();
+    if app::tilt_box::<f32>(table(), &mut chip).is_err() {
+        chip.write(b"fault\n");
+        process::exit(1)
+    }
+    process::exit(0)
+}

@@ -1,0 +1,123 @@
+// Which types does carom.js have? Reads nothing; tells editors and the type checker.
+
+/** Worlds of each dimension have a WebAssembly module of their own. */
+export type Dimension = 1 | 2 | 3;
+/** As many numbers as the scene has dimensions. */
+export type Vector = ArrayLike<number>;
+
+/** The most grains of a scene: 500. */
+export const MOST_GRAINS: number;
+
+/** What carom refused, in its own words: it names the field, its value and what would be right. */
+export class CaromError extends Error {}
+
+/** What grains are made of. All units SI, or any consistent ones. */
+export type Material =
+  /** Hard spheres with a constant coefficient of restitution. */
+  | { material: "hard"; restitution: number }
+  /** Linear spring-dashpot: k (N/m), γ (kg/s). MP13, Eq. (40). */
+  | { material: "linear"; stiffness: number; damping: number }
+  /** Viscoelastic spheres: Y (Pa), ν, A (s). MP13, Eq. (51). */
+  | { material: "viscoelastic"; young: number; poisson: number; dissipation: number };
+
+/** What grains do when they touch. */
+export type Rule = Material & {
+  /** `emd*` (the default): contacts last and turn. `emd`: instantaneous, with the law's ε(v). */
+  method?: "emd*" | "emd";
+  /**
+   * Outside the domain of the law's certified table: an error, the nearest collision inside, hard
+   * spheres (the default), or the contact equation integrated on the spot (counted as `integrated`).
+   */
+  outside?: "reject" | "clamp" | "hard-sphere" | "integrate";
+};
+
+export interface Grain {
+  radius: number;
+  /** Either this, or `density`. */
+  mass?: number;
+  /** Of a sphere, in every dimension. */
+  density?: number;
+  position: Vector;
+  velocity?: Vector;
+  material?: number;
+}
+
+/** Where normal · r ≥ offset. */
+export interface Plane {
+  /** A unit vector into the allowed side. */
+  normal: Vector;
+  offset: number;
+  /** Missing: the rule decides. */
+  restitution?: number;
+  /** z₀(t) = amplitude · sin(2π (frequency · t + phase)), along the normal. */
+  vibration?: { amplitude: number; frequency: number; phase?: number };
+}
+
+/** A box: `[low, high]` along each axis. */
+export interface Walls {
+  sides: [number, number][];
+  /** Missing: the rule decides. */
+  restitution?: number;
+}
+
+export interface Plan {
+  /** 2 unless told otherwise. */
+  dimension?: Dimension;
+  walls?: Walls;
+  /** Planes besides the box. */
+  planes?: Plane[];
+  /** `[low, high]` for each periodic axis; `null` for the others. */
+  periodic?: ([number, number] | null)[];
+  gravity?: Vector;
+  /** t_c of the TC rule; 0, the default, is no such rule. */
+  contactTime?: number;
+  rule: Rule;
+  grains: Grain[];
+}
+
+/** How often everything happened: carom's counters, and contacts that were integrated. */
+export type Counters = Record<
+  | "collisions" | "planeCollisions" | "releases" | "rotationRefused" | "interrupted" | "putOff"
+  | "clamped" | "hardSphere" | "rests" | "takeOffs" | "withinTc" | "collapses" | "propped"
+  | "reordered" | "stale" | "wanderings" | "epochs" | "integrated",
+  number
+>;
+
+/**
+ * A running world. The arrays are views of the WebAssembly memory: they always show the present, and
+ * nothing is copied. A scene needs no disposal.
+ */
+export interface Scene {
+  readonly dimension: Dimension;
+  readonly count: number;
+  /** `dimension` numbers for each grain; read only. */
+  readonly positions: Float64Array;
+  /** `dimension` numbers for each grain; read only. */
+  readonly velocities: Float64Array;
+  readonly radii: Float64Array;
+  /** For each grain 0: in flight, 1: in a lasting contact, 2: at rest. */
+  readonly states: Uint8Array;
+  readonly time: number;
+  /** Nothing happens before this time; `Infinity` if nothing ever will. */
+  readonly nextEventTime: number;
+  readonly kineticEnergy: number;
+  readonly counters: Counters;
+  /** 16 hexadecimal digits of the whole state: equal states have equal digests on every machine. */
+  readonly digest: string;
+  /**
+   * Everything up to and including this time happens, but no more than `maxEvents` events: false if
+   * there are more to come. (With a limit, `time` may then be that of an event a little later.)
+   * @throws {CaromError}
+   */
+  advanceTo(time: number, maxEvents?: number): boolean;
+  /** The next event happens; false if nothing will ever happen again. @throws {CaromError} */
+  step(): boolean;
+  /** Changes gravity now, in the middle of contacts too. @throws {CaromError} */
+  setGravity(gravity: Vector): void;
+}
+
+/** Loads and compiles the module of a dimension, once. `createScene` does it when needed. */
+export function load(dimension: Dimension): Promise<WebAssembly.Module>;
+
+/** Checks and starts a world. @throws {CaromError} */
+export function createScene(plan: Plan): Promise<Scene>;

@@ -1,0 +1,179 @@
+// How does JavaScript use carom? Reads a description; writes a WebAssembly instance per scene and views of its memory.
+// Types and documentation: carom.d.ts.
+
+const FILES = ["carom-line.wasm", "carom-plane.wasm", "carom-space.wasm"];
+const MATERIALS = ["hard", "linear", "viscoelastic"];
+const OUTSIDE = ["reject", "clamp", "hard-sphere", "integrate"];
+const METHODS = ["emd", "emd*"];
+const GRAINS = 0, POSITIONS = 1, VELOCITIES = 2, STATES = 3, COUNTERS = 4, CLOCK = 5, FAULT = 6, NAMES = 7;
+const WORDS = 9;
+
+/** The most grains of a scene. */
+export const MOST_GRAINS = 500;
+
+/** What carom refused, in its own words. */
+export class CaromError extends Error {
+  name = "CaromError";
+}
+
+/** @param {string} file */
+async function compile(file) {
+  const url = new URL(file, import.meta.url);
+  if (url.protocol === "file:" && typeof process !== "undefined") {
+    const { readFile } = await import(/** @type {string} */ ("node:fs/promises"));
+    return WebAssembly.compile(await readFile(url));
+  }
+  const response = await fetch(url);
+  if (!response.ok) throw new CaromError(`${url.pathname} cannot be loaded: ${response.status}`);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** @type {Map<number, Promise<WebAssembly.Module>>} */
+const modules = new Map();
+
+/** @param {import("./carom.js").Dimension} dimension */
+export function load(dimension) {
+  const file = FILES[dimension - 1];
+  if (!file) throw new CaromError(`dimension is ${dimension}, must be 1, 2 or 3`);
+  let module = modules.get(dimension);
+  if (!module) modules.set(dimension, (module = compile(file)));
+  return module;
+}
+
+/** @param {string} field @param {string[]} names @param {string} name */
+function numbered(field, names, name) {
+  const number = names.indexOf(name);
+  if (number < 0) throw new CaromError(`${field} is ${JSON.stringify(name)}, must be one of ${names.join(", ")}`);
+  return number;
+}
+
+/** A vector of three numbers; what is missing is zero. @param {string} field @param {ArrayLike<number>} v @param {number} dimension */
+function vector(field, v, dimension) {
+  if (!v || v.length !== dimension) throw new CaromError(`${field} must have ${dimension} components`);
+  return Array.from({ length: 3 }, (_, i) => (i < dimension ? Number(v[i]) : 0));
+}
+
+/** The planes of a box, two for each axis. @param {import("./carom.js").Walls} walls @param {number} dimension */
+function sides({ sides, restitution }, dimension) {
+  if (sides?.length !== dimension) throw new CaromError(`walls.sides must have ${dimension} pairs [low, high]`);
+  return sides.flatMap(([low, high], axis) =>
+    [1, -1].map((sign) => ({
+      normal: Array.from({ length: dimension }, (_, i) => (i === axis ? sign : 0)),
+      offset: sign > 0 ? low : -high,
+      restitution,
+    })),
+  );
+}
+
+/** @param {any} wasm @param {import("./carom.js").Plan} plan @param {number} dimension */
+function describe(wasm, plan, dimension) {
+  for (const p of [...(plan.walls ? sides(plan.walls, dimension) : []), ...(plan.planes ?? [])]) {
+    const { amplitude = 0, frequency = 0, phase = 0 } = p.vibration ?? {};
+    const [x, y, z] = vector("normal", p.normal, dimension);
+    wasm.plane(x, y, z, p.offset, p.restitution ?? NaN, amplitude, frequency, phase);
+  }
+  (plan.periodic ?? []).forEach((side, axis) => side && wasm.periodic(axis, side[0], side[1]));
+  const rule = plan.rule;
+  const material = numbered("rule.material", MATERIALS, rule?.material);
+  const lasting = numbered("rule.method", METHODS, rule.method ?? "emd*");
+  const outside = numbered("rule.outside", OUTSIDE, rule.outside ?? "hard-sphere");
+  const r = /** @type {any} */ (rule);
+  const numbers = [[r.restitution], [r.stiffness, r.damping], [r.young, r.poisson, r.dissipation]][material];
+  wasm.rule(material, lasting, outside, numbers[0], numbers[1] ?? 0, numbers[2] ?? 0);
+  wasm.tc(plan.contactTime ?? 0);
+  wasm.gravity(...vector("gravity", plan.gravity ?? [0, 0, 0].slice(0, dimension), dimension));
+}
+
+/** @param {Float64Array} table @param {import("./carom.js").Grain[]} grains @param {number} dimension */
+function fill(table, grains, dimension) {
+  grains.forEach((grain, i) => {
+    const { radius, density, material = 0 } = grain;
+    const mass = grain.mass ?? (4 / 3) * Math.PI * radius ** 3 * (density ?? NaN);
+    const at = vector(`grain ${i}: position`, grain.position, dimension);
+    const moving = vector(`grain ${i}: velocity`, grain.velocity ?? new Float64Array(dimension), dimension);
+    table.set([radius, mass, material, ...at, ...moving], WORDS * i);
+  });
+}
+
+/** One world in one instance of the module. */
+class Scene {
+  #wasm;
+  #clock;
+  #counters;
+  #names;
+
+  /** @param {any} wasm @param {import("./carom.js").Plan} plan @param {number} dimension */
+  constructor(wasm, plan, dimension) {
+    this.#wasm = wasm;
+    const count = plan.grains.length;
+    if (count > MOST_GRAINS) throw new CaromError(`${count} grains, must be at most ${MOST_GRAINS}`);
+    describe(wasm, plan, dimension);
+    const table = new Float64Array(wasm.memory.buffer, wasm.address(GRAINS), WORDS * count);
+    fill(table, plan.grains, dimension);
+    /** @param {number} of @param {number} length */
+    const numbers = (of, length) => new Float64Array(wasm.memory.buffer, wasm.address(of), length);
+    this.dimension = dimension;
+    this.count = count;
+    this.radii = Float64Array.from(plan.grains, (grain) => grain.radius);
+    this.positions = numbers(POSITIONS, dimension * count);
+    this.velocities = numbers(VELOCITIES, dimension * count);
+    this.states = new Uint8Array(wasm.memory.buffer, wasm.address(STATES), count);
+    this.#clock = numbers(CLOCK, 3);
+    this.#names = this.#text(NAMES).split(",");
+    this.#counters = numbers(COUNTERS, this.#names.length);
+    this.#check(wasm.start(count));
+  }
+
+  /** @param {number} of */
+  #text(of) {
+    const { memory, address, length } = this.#wasm;
+    return new TextDecoder().decode(new Uint8Array(memory.buffer, address(of), length(of)));
+  }
+
+  /** @param {number} answer */
+  #check(answer) {
+    if (answer === 1) throw new CaromError(this.#text(FAULT));
+    return answer === 0;
+  }
+
+  get time() {
+    return this.#clock[0];
+  }
+
+  get nextEventTime() {
+    return this.#clock[1];
+  }
+
+  get kineticEnergy() {
+    return this.#clock[2];
+  }
+
+  get counters() {
+    return /** @type {any} */ (Object.fromEntries(this.#names.map((name, i) => [name, this.#counters[i]])));
+  }
+
+  get digest() {
+    return BigInt.asUintN(64, this.#wasm.digest()).toString(16).padStart(16, "0");
+  }
+
+  /** @param {number} time @param {number} [maxEvents] */
+  advanceTo(time, maxEvents = 0xffffffff) {
+    return this.#check(this.#wasm.advance(time, maxEvents));
+  }
+
+  step() {
+    return this.#check(this.#wasm.step());
+  }
+
+  /** @param {ArrayLike<number>} gravity */
+  setGravity(gravity) {
+    this.#check(this.#wasm.gravity(...vector("gravity", gravity, this.dimension)));
+  }
+}
+
+/** @param {import("./carom.js").Plan} plan @returns {Promise<any>} */
+export async function createScene(plan) {
+  const dimension = plan.dimension ?? 2;
+  const instance = await WebAssembly.instantiate(await load(dimension), {});
+  return new Scene(instance.exports, plan, dimension);
+}

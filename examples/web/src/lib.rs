@@ -1,0 +1,204 @@
+//! Which functions does the WebAssembly module export? Reads numbers and memory from JavaScript; writes one world and what is seen of it.
+//!
+//! One instance of the module is one world: JavaScript makes as many instances as it wants worlds and
+//! forgets them when it is done. There is no allocator; everything lives in statics for up to 500 grains.
+//! Plain numbers cross the border, and addresses of arrays that JavaScript reads and writes in place.
+//! The only `unsafe` is the attribute that gives a function its plain name.
+#![no_std]
+
+mod integrate;
+mod live;
+mod plan;
+mod rule;
+
+use carom::law::{LinearDashpot, Outside, Viscoelastic};
+use carom::{Fault, Memory, World};
+use core::fmt::Write;
+use live::{COUNTERS, Shown};
+use plan::{D, MOST_GRAINS, Plan, WORDS, first};
+use rule::{Chosen, Material};
+use spin::Mutex;
+use static_cell::StaticCell;
+
+/// What JavaScript asked for, until the start.
+static PLAN: Mutex<Plan> = Mutex::new(Plan::new());
+static MEMORY: StaticCell<Memory<f64, D, MOST_GRAINS>> = StaticCell::new();
+static WORLD: Mutex<Option<World<'static, f64, D, Chosen>>> = Mutex::new(None);
+/// All zeros, so that it takes no place in the file.
+static DESK: Mutex<Desk> = Mutex::new(Desk {
+    grains: [[0.0; WORDS]; MOST_GRAINS],
+    shown: Shown::new(),
+    fault: heapless::String::new(),
+});
+
+/// What lies open for JavaScript.
+struct Desk {
+    grains: [[f64; WORDS]; MOST_GRAINS],
+    shown: Shown,
+    fault: heapless::String<512>,
+}
+
+impl Desk {
+    /// Zero if it went well; else one, and the fault can be read.
+    fn say(&mut self, result: Result<(), Fault>) -> u32 {
+        let Err(fault) = result else { return 0 };
+        self.refuse(format_args!("{fault}"))
+    }
+
+    fn refuse(&mut self, what: core::fmt::Arguments<'_>) -> u32 {
+        self.fault.clear();
+        // A message that is too long is cut off, which does not matter.
+        let _ = self.fault.write_fmt(what);
+        1
+    }
+
+    fn start(&mut self, count: usize) -> u32 {
+        let Some(memory) = MEMORY.try_init_with(Memory::new) else {
+            return self.refuse(format_args!("this instance has been started before"));
+        };
+        let grains = self.grains.get(..count).unwrap_or(&self.grains);
+        match PLAN.lock().start(memory, grains) {
+            Ok(world) => *WORLD.lock() = Some(world),
+            Err(fault) => return self.say(Err(fault)),
+        }
+        self.act(|_| Ok(()))
+    }
+
+    /// Does something with the world and shows what became of it.
+    fn act(
+        &mut self,
+        deed: impl FnOnce(&mut World<'static, f64, D, Chosen>) -> Result<(), Fault>,
+    ) -> u32 {
+        let mut world = WORLD.lock();
+        let Some(world) = world.as_mut() else {
+            return self.refuse(format_args!("the world has not been started"));
+        };
+        let result = deed(world);
+        self.shown.write(world);
+        self.say(result)
+    }
+}
+
+/// The next event, if there is one; a copy of the engine's loop is large, so there is only this.
+#[inline(never)]
+fn one(world: &mut World<'static, f64, D, Chosen>) -> Result<bool, Fault> {
+    world.step().map(|happened| happened.is_some())
+}
+
+/// Adds a plane, see [`plan::Wall`].
+#[unsafe(no_mangle)]
+#[rustfmt::skip]
+extern "C" fn plane(x: f64, y: f64, z: f64, offset: f64, e: f64, a: f64, f: f64, phase: f64) {
+    // Carom refuses the ninth; a tenth adds nothing to that.
+    let _ = PLAN.lock().planes.push([x, y, z, offset, e, a, f, phase]);
+}
+
+/// Makes an axis periodic.
+#[unsafe(no_mangle)]
+extern "C" fn periodic(axis: u32, low: f64, high: f64) {
+    if let Some(place) = PLAN.lock().periodic.get_mut(axis as usize) {
+        *place = Some([low, high]);
+    }
+}
+
+/// Chooses material (0: hard, ε; 1: k, γ; 2: Y, ν, A), method (1: contacts last) and what happens outside
+/// the table (0: reject, 1: clamp, 2: hard spheres, 3: integrate).
+#[unsafe(no_mangle)]
+extern "C" fn rule(material: u32, lasting: u32, outside: u32, a: f64, b: f64, c: f64) {
+    let material = match material {
+        0 => Material::Hard(a),
+        1 => Material::Linear(LinearDashpot { stiffness: a, damping: b }),
+        _ => Material::Viscoelastic(Viscoelastic { young: a, poisson: b, dissipation: c }),
+    };
+    let outside = match outside {
+        0 => Some(Outside::Reject),
+        1 => Some(Outside::Clamp),
+        2 => Some(Outside::HardSphere),
+        _ => None,
+    };
+    PLAN.lock().rule = Chosen { material, lasting: lasting != 0, outside };
+}
+
+/// The TC rule's contact duration.
+#[unsafe(no_mangle)]
+extern "C" fn tc(t_c: f64) {
+    PLAN.lock().t_c = t_c;
+}
+
+/// Sets gravity, before the start or now.
+#[unsafe(no_mangle)]
+extern "C" fn gravity(x: f64, y: f64, z: f64) -> u32 {
+    PLAN.lock().gravity = [x, y, z];
+    if WORLD.lock().is_none() {
+        return 0;
+    }
+    DESK.lock().act(|world| world.set_gravity(first(&[x, y, z])))
+}
+
+/// Starts the world with the first `count` grains of the table.
+#[unsafe(no_mangle)]
+extern "C" fn start(count: usize) -> u32 {
+    DESK.lock().start(count)
+}
+
+/// Everything up to this time happens: 0; or the first `most` events of it: 2.
+#[unsafe(no_mangle)]
+extern "C" fn advance(time: f64, most: u32) -> u32 {
+    let mut left = most;
+    let fault = DESK.lock().act(|world| {
+        if most < u32::MAX {
+            // The first event may turn out void and the one after it be late: then now is past `time`.
+            while left > 0 && world.next_event_time().is_some_and(|next| next.as_f64() <= time) {
+                one(world)?;
+                left -= 1;
+            }
+        }
+        let reached = left == 0 || (most < u32::MAX && world.now().as_f64() >= time);
+        if reached { Ok(()) } else { world.advance_to(time) }
+    });
+    if fault == 0 && left == 0 { 2 } else { fault }
+}
+
+/// The next event happens: 0, or nothing ever will: 2.
+#[unsafe(no_mangle)]
+extern "C" fn step() -> u32 {
+    let mut any = false;
+    let fault = DESK.lock().act(|world| one(world).map(|happened| any = happened));
+    if fault == 0 && !any { 2 } else { fault }
+}
+
+/// One number of the whole state.
+#[unsafe(no_mangle)]
+extern "C" fn digest() -> u64 {
+    WORLD.lock().as_ref().map_or(0, World::digest)
+}
+
+/// Where things are: 0: the table of grains, 1: positions, 2: velocities, 3: states, 4: counters,
+/// 5: now, next, energy, 6: the fault's text, 7: the counters' names.
+#[unsafe(no_mangle)]
+extern "C" fn address(of: u32) -> *const u8 {
+    let desk = DESK.lock();
+    match of {
+        0 => desk.grains.as_ptr().cast(),
+        1 => desk.shown.positions.as_ptr().cast(),
+        2 => desk.shown.velocities.as_ptr().cast(),
+        3 => desk.shown.states.as_ptr(),
+        4 => desk.shown.counters.as_ptr().cast(),
+        5 => desk.shown.clock.as_ptr().cast(),
+        6 => desk.fault.as_ptr(),
+        _ => COUNTERS.as_ptr(),
+    }
+}
+
+/// How long the texts among them are.
+#[unsafe(no_mangle)]
+extern "C" fn length(of: u32) -> usize {
+    if of == 6 { DESK.lock().fault.len() } else { COUNTERS.len() }
+}
+
+/// Nothing in carom panics; should anything, the module stops and JavaScript gets an exception.
+#[cfg(target_arch = "wasm32")]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    core::arch::wasm32::unreachable()
+}

@@ -1,0 +1,92 @@
+//! What does the page want? Keeps what JavaScript described until the world starts; reads it, writes carom's setup.
+
+use crate::rule::{Chosen, Material};
+use carom::matter::boundary::MOST_PLANES;
+use carom::matter::{Plane, Surface, Vibration};
+use carom::{Fault, Grain, Memory, World};
+
+/// The dimension of this module's worlds.
+pub const D: usize = if cfg!(feature = "line") {
+    1
+} else if cfg!(feature = "space") {
+    3
+} else {
+    2
+};
+/// The most grains of a world.
+pub const MOST_GRAINS: usize = 500;
+/// Numbers that describe a grain: radius, mass, material, position, velocity.
+pub const WORDS: usize = 9;
+
+/// A plane as it came: normal, offset, restitution (NaN: by the rule), amplitude, frequency (0: at rest), phase.
+pub type Wall = [f64; 8];
+
+/// Everything but the grains.
+pub struct Plan {
+    /// One plane more than carom takes, so that it is carom that refuses it.
+    pub planes: heapless::Vec<Wall, { MOST_PLANES + 1 }>,
+    /// Low and high end of the periodic axes.
+    pub periodic: [Option<[f64; 2]>; 3],
+    /// Gravity.
+    pub gravity: [f64; 3],
+    /// The TC rule's contact duration.
+    pub t_c: f64,
+    /// What grains do when they touch.
+    pub rule: Chosen,
+}
+
+impl Plan {
+    /// Empty space.
+    pub const fn new() -> Self {
+        let rule = Chosen { material: Material::Hard(1.0), lasting: false, outside: None };
+        Self {
+            planes: heapless::Vec::new(),
+            periodic: [None; 3],
+            gravity: [0.0; 3],
+            t_c: 0.0,
+            rule,
+        }
+    }
+
+    /// The world, started in this memory.
+    pub fn start(
+        &self,
+        memory: &'static mut Memory<f64, D, MOST_GRAINS>,
+        grains: &[[f64; WORDS]],
+    ) -> Result<World<'static, f64, D, Chosen>, Fault> {
+        let mut setup =
+            World::setup(memory).gravity(first(&self.gravity)).tc(self.t_c).rule(self.rule);
+        for wall in &self.planes {
+            setup = setup.plane(plane(wall));
+        }
+        for (axis, side) in self.periodic.iter().enumerate() {
+            if let Some(side) = side {
+                setup = setup.periodic_axis(axis, *side);
+            }
+        }
+        setup.grains(grains.iter().map(grain))?.start()
+    }
+}
+
+/// The first `D` numbers.
+pub fn first(all: &[f64]) -> [f64; D] {
+    core::array::from_fn(|i| all.get(i).copied().unwrap_or(0.0))
+}
+
+fn plane(wall: &Wall) -> Plane<f64, D> {
+    let &[_, _, _, offset, restitution, amplitude, frequency, phase] = wall;
+    let surface = if restitution.is_nan() { Surface::Rule } else { Surface::Hard(restitution) };
+    let plane = Plane::new(first(wall), offset, surface);
+    if frequency == 0.0 && amplitude == 0.0 {
+        return plane;
+    }
+    plane.vibrating(Vibration::new(amplitude, frequency).starting_at(phase))
+}
+
+fn grain(words: &[f64; WORDS]) -> Grain<f64, D> {
+    let &[radius, mass, material, ..] = words;
+    Grain::with_mass(radius, mass)
+        .at(first(&words[3..6]))
+        .moving(first(&words[6..9]))
+        .of_material(material as u8)
+}

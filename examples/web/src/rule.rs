@@ -1,0 +1,87 @@
+//! What do two grains do, by the method the page chose? Reads an encounter; writes its outcome, from table or integral.
+
+use crate::integrate;
+use carom::law::force::ForceLaw;
+use carom::law::tables::Law;
+use carom::law::{
+    Answer, Central, Encounter, HardSphere, LinearDashpot, Outside, Response, Rule, Soft,
+    Viscoelastic,
+};
+use carom::{Fault, law};
+use core::sync::atomic::{AtomicU64, Ordering};
+
+/// How often a contact was integrated because it lies outside its law's table.
+pub static INTEGRATED: AtomicU64 = AtomicU64::new(0);
+
+/// Force laws, and none.
+#[derive(Clone, Copy)]
+pub enum Material {
+    /// Hard spheres with this coefficient of restitution.
+    Hard(f64),
+    /// Linear spring-dashpot.
+    Linear(LinearDashpot<f64>),
+    /// Viscoelastic spheres.
+    Viscoelastic(Viscoelastic<f64>),
+}
+
+/// The rule of every world of this module: a material, a method, and what to do outside the table.
+#[derive(Clone, Copy)]
+pub struct Chosen {
+    /// What grains are made of.
+    pub material: Material,
+    /// eMD* (contacts last and turn) or eMD (they are instantaneous).
+    pub lasting: bool,
+    /// Outside the table; none is to integrate the contact.
+    pub outside: Option<Outside>,
+}
+
+impl Rule<f64> for Chosen {
+    fn meet(&self, encounter: &Encounter<f64>) -> Answer<f64> {
+        match self.material {
+            Material::Hard(restitution) => HardSphere { restitution }.meet(encounter),
+            Material::Linear(law) => self.soft(law, law::tables::linear_dashpot(), encounter),
+            Material::Viscoelastic(law) => self.soft(law, law::tables::viscoelastic(), encounter),
+        }
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        match self.material {
+            Material::Hard(restitution) => HardSphere { restitution }.check(),
+            Material::Linear(law) => law.check(),
+            Material::Viscoelastic(law) => law.check(),
+        }
+    }
+}
+
+impl Chosen {
+    fn soft<L: ForceLaw<f64> + Copy>(
+        &self,
+        law: L,
+        table: &'static law::tables::Table<law::tables::Stored>,
+        encounter: &Encounter<f64>,
+    ) -> Answer<f64> {
+        let table = Soft::with_table(law, table, self.outside.unwrap_or(Outside::Reject));
+        let rule = OrIntegrated { law, table, integrate: self.outside.is_none() };
+        if self.lasting { rule.meet(encounter) } else { Central(rule).meet(encounter) }
+    }
+}
+
+/// A rule of one's own: the table where it holds, the contact equation beyond.
+struct OrIntegrated<L> {
+    law: L,
+    table: Soft<L, law::tables::Stored>,
+    integrate: bool,
+}
+
+impl<L: ForceLaw<f64>> Rule<f64> for OrIntegrated<L> {
+    fn meet(&self, encounter: &Encounter<f64>) -> Answer<f64> {
+        let answer = self.table.meet(encounter);
+        if !(self.integrate && matches!(answer.response, Response::Refused { .. })) {
+            return answer;
+        }
+        INTEGRATED.fetch_add(1, Ordering::Relaxed);
+        let scales = self.law.scales(encounter);
+        let scaled = integrate::contact(L::LAW == Law::LinearDashpot, &encounter.groups(&scales));
+        Answer::sure(Response::Lasting(scales.outcome(&scaled)))
+    }
+}

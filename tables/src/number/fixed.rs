@@ -1,0 +1,457 @@
+//! How do fixed-point numbers count? `I32F32` and `I16F16` with a not-a-number; reads and writes bits, no float is used.
+//!
+//! The formats are those of the package `fixed`; what is added is that nothing ever wraps or saturates:
+//! one pattern of bits, the least, is *not a number*. Every overflow, division by zero and root of a
+//! negative number gives it, every operation on it gives it again, and no comparison with it is true.
+//! That is how NaN behaves, so code that is safe with NaN is safe with overflow.
+//!
+//! Products are exact: [`I32F32::times`] keeps all bits in a [`Product`], which can be summed, compared,
+//! divided and rooted before anything is rounded.
+
+use core::cmp::Ordering;
+use core::fmt;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use super::{Real, integer};
+
+/// An exact product of two fixed-point numbers, or a sum of such: twice as many bits, and not-a-number.
+#[derive(Clone, Copy, Default)]
+pub struct Product<W>(W);
+
+macro_rules! fixed {
+    ($name:ident, $word:ident, $wide:ident, $fraction:literal, $plain:path, $about:literal) => {
+        #[doc = $about]
+        ///
+        /// Sums and differences are exact; products, quotients and square roots are the nearest value
+        /// (halves away from zero). The least pattern of bits is not a number.
+        #[derive(Clone, Copy, Default)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(transparent))]
+        pub struct $name($word);
+
+        impl $name {
+            /// Bits after the point.
+            pub const FRACTION: u32 = $fraction;
+            /// What overflow gives.
+            pub const NAN: Self = Self($word::MIN);
+            /// The largest number.
+            pub const MAX: Self = Self($word::MAX);
+            /// The distance between neighbouring numbers, 2^−FRACTION.
+            pub const DELTA: Self = Self(1);
+            /// One.
+            pub const ONE: Self = Self(1 << $fraction);
+
+            /// The number of so many steps of 2^−FRACTION.
+            #[must_use]
+            pub const fn from_bits(bits: $word) -> Self {
+                Self(bits)
+            }
+
+            /// How many steps of 2^−FRACTION it is.
+            #[must_use]
+            pub const fn to_bits(self) -> $word {
+                self.0
+            }
+
+            /// Whether it is a number.
+            #[must_use]
+            pub const fn is_number(self) -> bool {
+                self.0 != $word::MIN
+            }
+
+            const fn or_nan(bits: Option<$word>) -> Self {
+                match bits {
+                    Some(bits) => Self(bits),
+                    None => Self::NAN,
+                }
+            }
+
+            /// The number of so many steps; not-a-number if there are too many.
+            #[must_use]
+            pub fn from_wide(bits: Option<i64>) -> Self {
+                Self::or_nan(bits.and_then(|bits| $word::try_from(bits).ok()))
+            }
+
+            /// The exact product.
+            #[inline]
+            #[must_use]
+            pub fn times(self, other: Self) -> Product<$wide> {
+                if self.is_number() && other.is_number() {
+                    Product($wide::from(self.0) * $wide::from(other.0))
+                } else {
+                    Product($wide::MIN)
+                }
+            }
+
+            /// Sine and cosine of an angle in radians: the nearest values but for ties within 2⁻⁵⁶.
+            #[must_use]
+            pub fn sine_cosine(self) -> (Self, Self) {
+                if !self.is_number() {
+                    return (Self::NAN, Self::NAN);
+                }
+                let (sine, cosine) = integer::sine_cosine(self.0.into(), $fraction);
+                (Self(sine as $word), Self(cosine as $word))
+            }
+
+            /// (x₁ x₂ …)^(−1/5) of numbers above zero, whose product may be far out of range.
+            #[must_use]
+            pub fn inverse_fifth_root<const N: usize>(factors: [Self; N]) -> Self {
+                Self::from_wide(integer::inverse_fifth_root(
+                    &factors.map(|x| x.0.into()),
+                    $fraction,
+                ))
+            }
+
+            /// √(self/other), rounded once; not-a-number unless self ≥ 0 and other > 0.
+            #[must_use]
+            pub fn root_of_ratio(self, other: Self) -> Self {
+                if !(self.0 >= 0 && other.0 > 0) {
+                    return Self::NAN;
+                }
+                // With 2 FRACTION bits after the point the quotient fits into 4 FRACTION bits.
+                let n = u128::from(self.0.unsigned_abs()) << (2 * $fraction);
+                let root = integer::root(n / u128::from(other.0.unsigned_abs()));
+                Self::from_wide(i64::try_from(root).ok())
+            }
+
+            /// The largest whole number not above this one.
+            #[must_use]
+            pub fn floor(self) -> Self {
+                if self.is_number() { Self(self.0 >> $fraction << $fraction) } else { self }
+            }
+
+            /// A whole number.
+            #[must_use]
+            pub fn from_whole(whole: u32) -> Self {
+                Self::from_wide(Some(i64::from(whole) << $fraction))
+            }
+
+            /// The whole part of a number, 0 below zero and for not-a-number.
+            #[must_use]
+            pub fn to_whole(self) -> u32 {
+                (self.0.max(0) >> $fraction) as u32
+            }
+        }
+
+        impl Product<$wide> {
+            /// Not a number.
+            pub const NAN: Self = Self($wide::MIN);
+
+            /// Whether it is a number.
+            #[must_use]
+            pub const fn is_number(self) -> bool {
+                self.0 != $wide::MIN
+            }
+
+            /// How many steps of 2^−2 FRACTION it is; none for not-a-number.
+            #[must_use]
+            pub fn bits(self) -> Option<i128> {
+                self.is_number().then(|| self.0.into())
+            }
+
+            /// The nearest single number.
+            #[inline]
+            #[must_use]
+            pub fn rounded(self) -> $name {
+                if !self.is_number() {
+                    return $name::NAN;
+                }
+                // Halves away from zero: negation and rounding can be swapped.
+                let half = (1 << ($fraction - 1)) + (self.0 >> ($wide::BITS - 1));
+                $name::or_nan(
+                    self.0.checked_add(half).and_then(|p| $word::try_from(p >> $fraction).ok()),
+                )
+            }
+
+            /// The nearest number to the square root.
+            #[must_use]
+            pub fn root(self) -> $name {
+                let Ok(bits) = u128::try_from(self.0) else { return $name::NAN };
+                $name::from_wide(i64::try_from(integer::root(bits)).ok())
+            }
+
+            /// Divided by a number, rounded once; what is not zero does not become zero: who approaches,
+            /// however slowly, approaches at some speed.
+            #[must_use]
+            pub fn over(self, divisor: $name) -> $name {
+                if !(self.is_number() && divisor.is_number()) {
+                    return $name::NAN;
+                }
+                let (n, d) = (i128::from(self.0).unsigned_abs(), divisor.0.unsigned_abs());
+                let q = integer::quotient(n, d.into(), 0).map(|q| q.max(i64::from(n != 0)));
+                $name::from_wide(if (self.0 < 0) == (divisor.0 < 0) { q } else { q.map(|q| -q) })
+            }
+        }
+
+        impl Add for Product<$wide> {
+            type Output = Self;
+            #[inline]
+            fn add(self, other: Self) -> Self {
+                if !(self.is_number() && other.is_number()) {
+                    return Self::NAN;
+                }
+                self.0.checked_add(other.0).map_or(Self::NAN, Self)
+            }
+        }
+
+        impl Neg for Product<$wide> {
+            type Output = Self;
+            #[inline]
+            fn neg(self) -> Self {
+                // The only one that negation leaves as it is is not a number.
+                Self(self.0.wrapping_neg())
+            }
+        }
+
+        impl Sub for Product<$wide> {
+            type Output = Self;
+            #[inline]
+            fn sub(self, other: Self) -> Self {
+                self + -other
+            }
+        }
+
+        impl PartialEq for Product<$wide> {
+            #[inline]
+            fn eq(&self, other: &Self) -> bool {
+                self.0 == other.0 && self.is_number()
+            }
+        }
+
+        impl PartialOrd for Product<$wide> {
+            #[inline]
+            fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+                (self.is_number() && other.is_number()).then(|| self.0.cmp(&other.0))
+            }
+        }
+
+        impl Add for $name {
+            type Output = Self;
+            #[inline]
+            fn add(self, other: Self) -> Self {
+                if !(self.is_number() && other.is_number()) {
+                    return Self::NAN;
+                }
+                Self::or_nan(self.0.checked_add(other.0))
+            }
+        }
+
+        impl Neg for $name {
+            type Output = Self;
+            #[inline]
+            fn neg(self) -> Self {
+                // The only one that negation leaves as it is is not a number.
+                Self(self.0.wrapping_neg())
+            }
+        }
+
+        impl Sub for $name {
+            type Output = Self;
+            #[inline]
+            fn sub(self, other: Self) -> Self {
+                self + -other
+            }
+        }
+
+        impl Mul for $name {
+            type Output = Self;
+            #[inline]
+            fn mul(self, other: Self) -> Self {
+                self.times(other).rounded()
+            }
+        }
+
+        impl Div for $name {
+            type Output = Self;
+            fn div(self, other: Self) -> Self {
+                if !(self.is_number() && other.is_number()) {
+                    return Self::NAN;
+                }
+                let (n, d) = (self.0.unsigned_abs(), other.0.unsigned_abs());
+                let q = integer::quotient(n.into(), d.into(), $fraction);
+                Self::from_wide(if (self.0 < 0) == (other.0 < 0) { q } else { q.map(|q| -q) })
+            }
+        }
+
+        impl AddAssign for $name {
+            #[inline]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+
+        impl SubAssign for $name {
+            #[inline]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+
+        impl MulAssign for $name {
+            #[inline]
+            fn mul_assign(&mut self, other: Self) {
+                *self = *self * other;
+            }
+        }
+
+        impl DivAssign for $name {
+            fn div_assign(&mut self, other: Self) {
+                *self = *self / other;
+            }
+        }
+
+        impl PartialEq for $name {
+            #[inline]
+            fn eq(&self, other: &Self) -> bool {
+                self.0 == other.0 && self.is_number()
+            }
+        }
+
+        impl PartialOrd for $name {
+            #[inline]
+            fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+                (self.is_number() && other.is_number()).then(|| self.0.cmp(&other.0))
+            }
+        }
+
+        impl num_traits::Zero for $name {
+            fn zero() -> Self {
+                Self(0)
+            }
+            fn is_zero(&self) -> bool {
+                self.0 == 0
+            }
+        }
+
+        impl num_traits::One for $name {
+            fn one() -> Self {
+                Self::ONE
+            }
+        }
+
+        impl From<$plain> for $name {
+            /// The same number; the least one of the package's has no place here.
+            fn from(plain: $plain) -> Self {
+                Self(plain.to_bits())
+            }
+        }
+
+        impl From<$name> for Option<$plain> {
+            /// The same number, unless it is none.
+            fn from(number: $name) -> Self {
+                number.is_number().then(|| <$plain>::from_bits(number.0))
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match Option::<$plain>::from(*self) {
+                    Some(plain) => plain.fmt(f),
+                    None => f.pad("NaN"),
+                }
+            }
+        }
+
+        impl fmt::Debug for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                fmt::Display::fmt(self, f)
+            }
+        }
+    };
+}
+
+fixed!(
+    I32F32,
+    i64,
+    i128,
+    32,
+    ::fixed::types::I32F32,
+    "A signed fixed-point number with 32 bits before and 32 after the point: ±2.1·10⁹ in steps of 2.3·10⁻¹⁰."
+);
+fixed!(
+    I16F16,
+    i32,
+    i64,
+    16,
+    ::fixed::types::I16F16,
+    "A signed fixed-point number with 16 bits before and 16 after the point: ±32767 in steps of 1.5·10⁻⁵."
+);
+
+macro_rules! real {
+    ($name:ident, $precise:ident, $precise_of:expr, $rounded:expr, $quanta:expr) => {
+        impl Real for $name {
+            type Precise = $precise;
+
+            #[inline]
+            fn from_f32(value: f32) -> Self {
+                Self::from_wide(integer::from_float(
+                    value.to_bits() as u64,
+                    23,
+                    127,
+                    Self::FRACTION,
+                ))
+            }
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                Self::from_wide(integer::from_float(value.to_bits(), 52, 1023, Self::FRACTION))
+            }
+            fn to_f64(self) -> f64 {
+                if !self.is_number() {
+                    return f64::NAN;
+                }
+                f64::from_bits(integer::to_float(self.0.into(), Self::FRACTION))
+            }
+            #[inline]
+            fn from_quanta(quanta: i32) -> Self {
+                $quanta(quanta)
+            }
+            fn sqrt(self) -> Self {
+                if self.0 < 0 {
+                    return Self::NAN;
+                }
+                let bits = u128::from(self.0.unsigned_abs()) << Self::FRACTION;
+                Self::from_wide(i64::try_from(integer::root(bits)).ok())
+            }
+            fn cbrt(self) -> Self {
+                if self.0 < 0 {
+                    return Self::NAN;
+                }
+                let bits = u128::from(self.0.unsigned_abs()) << (2 * Self::FRACTION);
+                Self::from_wide(Some(integer::cube_root(bits)))
+            }
+            fn ln_1p(self) -> Self {
+                if self.0 < 0 {
+                    return Self::NAN;
+                }
+                Self::from_wide(Some(integer::logarithm(self.0.into(), Self::FRACTION)))
+            }
+            /// The square of a large tangent does not fit; this order does.
+            fn push(tangent: Self, eta: Self) -> Self {
+                tangent * (tangent * eta)
+            }
+            #[inline]
+            fn precise(self) -> $precise {
+                $precise_of(self)
+            }
+            #[inline]
+            fn rounded(precise: $precise) -> Self {
+                $rounded(precise)
+            }
+        }
+    };
+}
+
+real!(I32F32, I32F32, |x| x, |x| x, |q| I32F32(i64::from(q) << 4));
+real!(
+    I16F16,
+    I32F32,
+    |x: I16F16| if x.is_number() { I32F32(i64::from(x.0) << 16) } else { I32F32::NAN },
+    narrowed,
+    |q: i32| I16F16(q.saturating_add(1 << 11) >> 12)
+);
+
+/// The nearest `I16F16`, halves away from zero.
+fn narrowed(x: I32F32) -> I16F16 {
+    let half = (1 << 15) + (x.0 >> 63);
+    I16F16::from_wide(x.0.checked_add(half).filter(|_| x.is_number()).map(|bits| bits >> 16))
+}

@@ -1,0 +1,75 @@
+//! Does this machine compute the same bits as every other? Replays four scenes; compares digests with the golden file.
+//!
+//! `golden.txt` holds `scene scalar events digest` after each thousand events. It is made by
+//! `cargo run --release --manifest-path examples/scenes/Cargo.toml --example replay -- 100000 > tests/bits/golden.txt`
+//! and every target (`examples/check.sh`) is held against it. A change of the engine that changes
+//! trajectories changes it; a change of compiler, optimisation or target must not.
+
+use carom::Scalar;
+use carom_scenes::replay::{Told, replay};
+use carom_scenes::{Event, Scene};
+
+const GOLDEN: &str = include_str!("golden.txt");
+
+/// The golden digests of one scene in one number type, in order.
+fn golden(scene: Scene, scalar: &str) -> impl Iterator<Item = Event> {
+    let prefix = format!("{} {scalar} ", scene.name());
+    GOLDEN.lines().filter_map(move |line| {
+        let (number, digest) = line.strip_prefix(&prefix)?.split_once(' ')?;
+        let digest = u64::from_str_radix(digest, 16).unwrap();
+        Some(Event { number: number.parse().unwrap(), digest })
+    })
+}
+
+/// Runs a scene and compares; the first block that differs is named, and how to find its event.
+fn same<S: Scalar>(scene: Scene, scalar: &str, last: u32) {
+    let mut wanted = golden(scene, scalar);
+    let mut good = 0;
+    let mut compare = |event: Event| {
+        let name = scene.name();
+        assert_eq!(
+            wanted.next(),
+            Some(event),
+            "{name} in {scalar} differs first between events {good} and {0}. Run `cargo run --release \
+             --manifest-path examples/scenes/Cargo.toml --example replay -- {name} {scalar} {good} {0}` here \
+             and with the older program, and compare: the first line that differs names the event",
+            event.number
+        );
+        good = event.number;
+    };
+    replay::<S>(scene, Told::thousandths(last), &mut compare).unwrap();
+    assert_eq!(good, last);
+}
+
+fn both(scene: Scene, last: u32) {
+    same::<f32>(scene, "f32", last);
+    same::<f64>(scene, "f64", last);
+}
+
+#[test]
+fn fig6() {
+    both(Scene::Fig6, 10_000);
+}
+
+#[test]
+fn box16() {
+    both(Scene::Box16, 10_000);
+}
+
+#[test]
+fn gas32() {
+    both(Scene::Gas32, 10_000);
+}
+
+#[test]
+fn column10() {
+    both(Scene::Column10, 10_000);
+}
+
+#[test]
+#[ignore = "a while in a debug build: run with --release"]
+fn a_hundred_thousand_events() {
+    for scene in Scene::ALL {
+        both(scene, 100_000);
+    }
+}
