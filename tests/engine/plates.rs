@@ -214,3 +214,26 @@ fn a_grain_that_is_crushed_is_a_fault_that_names_it() {
         assert!((at.as_f64() - 1.0 / 12.0).abs() < 1e-3, "{restitution}: {at}");
     }
 }
+
+/// Ten beads are enough for cells: who leaves one keeps its meeting, and must not forget the plate below.
+#[test]
+fn no_bead_of_a_thrown_column_falls_through_its_plate() {
+    let mut memory = Memory::<f64, 1, 10>::new();
+    let radius = 0.5e-3;
+    let plate = Vibration::new(1.0e-2, 20.0); // 16 g: the beads fly through many cells
+    let mut world = World::setup(&mut memory)
+        .gravity([-G])
+        .plane(Plane::new([1.0], 0.0, Surface::Hard(0.9)).vibrating(plate))
+        .rule(HardSphere { restitution: 0.9 })
+        .grains((0..10).map(|i| Grain::sphere(radius, 2700.0).at([radius * f64::from(2 * i + 1)])))
+        .unwrap()
+        .start()
+        .unwrap();
+    for _ in 0..20_000 {
+        let at = world.step().unwrap().unwrap().at.as_f64();
+        let place = 1.0e-2 * (std::f64::consts::TAU * 20.0 * at).sin();
+        let lowest = (0..10).map(|i| world.grain(i).unwrap().position[0]).fold(f64::MAX, f64::min);
+        assert!(lowest - radius - place > -1e-12, "{lowest} at {at}");
+    }
+    assert!(world.counters().wanderings > 1_000 && world.counters().plane_collisions > 1_000);
+}
