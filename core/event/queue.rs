@@ -68,9 +68,13 @@ impl<S: Scalar> Slot<S> {
         if self.kind == Kind::Meet { self.partner } else { Partner::NOTHING }
     }
 
-    /// Only the meeting.
+    /// Only the meeting; without a partner that is a search which paused there and must go on.
     pub(crate) fn only_meeting(self) -> Self {
-        let kind = if self.partner == Partner::NOTHING { Kind::Nothing } else { Kind::Meet };
+        let kind = match self.partner {
+            Partner::NOTHING if self.meeting < S::NEVER => Kind::Wander,
+            Partner::NOTHING => Kind::Nothing,
+            _ => Kind::Meet,
+        };
         Self { time: self.meeting, kind, face: Self::NO_FACE, ..self }
     }
 }
