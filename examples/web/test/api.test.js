@@ -130,6 +130,23 @@ test("a plate lifts what lies on it as soon as it falls faster than gravity", as
   assert.equal(ride.counters.takeOffs, 1);
 });
 
+test("a column of ten beads that crosses cells never falls through its plate", async () => {
+  const [d, g, frequency] = [1e-3, 9.81, 20];
+  const amplitude = (2 * g) / (2 * Math.PI * frequency) ** 2;
+  const column = await scene({
+    dimension: 1,
+    planes: [{ normal: [1], offset: 0, restitution: 0.7, vibration: { amplitude, frequency } }],
+    gravity: [-g],
+    rule: { material: "hard", restitution: 0.6 },
+    grains: Array.from({ length: 10 }, (_, i) => ({ radius: d / 2, mass: 1, position: [1.001 * (i + 0.5) * d] })),
+  });
+  for (let k = 1; k <= 500; k++) {
+    column.advanceTo(k / 1000);
+    const gap = column.positions[0] - d / 2 - amplitude * Math.sin(2 * Math.PI * frequency * column.time);
+    assert.ok(gap > -1e-15, `${gap} at ${column.time}`);
+  }
+});
+
 test("errors are thrown in carom's own words, and nothing traps", async () => {
   const grain = { radius: 0.1, mass: 1, position: [0.5, 0.5] };
   /** @param {object} more @param {RegExp} words */

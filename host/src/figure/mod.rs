@@ -9,6 +9,7 @@ mod data;
 pub mod draw;
 pub mod hard;
 pub mod l94;
+pub mod mp13;
 mod progress;
 pub mod table;
 
@@ -67,7 +68,7 @@ pub struct Entry {
 
 /// All figures, in the order in which they are listed.
 pub fn all() -> impl Iterator<Item = &'static Entry> {
-    bsfp14::FIGURES.iter().chain(l94::FIGURES)
+    bsfp14::FIGURES.iter().chain(l94::FIGURES).chain(mp13::FIGURES)
 }
 
 /// The figure with this id.

@@ -15,7 +15,7 @@ mod svg;
 pub mod text;
 
 pub use axes::{Axis, Panel};
-pub use scene::{Colour, Rect, Scene, Stroke};
+pub use scene::{Colour, Item, Rect, Scene, Stroke};
 
 use crate::output;
 use anyhow::{Result, bail};

@@ -4,7 +4,7 @@ pub mod ball;
 pub mod gas;
 mod impact;
 mod plates;
-mod three;
+pub mod three;
 
 use super::Entry;
 

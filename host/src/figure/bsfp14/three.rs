@@ -40,10 +40,23 @@ pub fn make(options: &Options) -> Result<Made> {
         .scales(Scale::LINEAR.from(0.0, 1.05), Scale::LOG.from(1e-17, 1.0))
         .kinds(&[[Kind::Dots; 3], [Kind::Both; 3], [Kind::Line; 3]].concat())
         .mark(Mark::Points(vec![[1.0, 1e-9]], "paper: elastic, dilute".to_owned()))
-        .mark(Mark::Level(1e-6, "paper: inelastic, up to".to_owned()));
-    let picture = draw::draw(&figure, &Look { colours: colours(), ..look });
+        .mark(Mark::Level(1e-6, "paper: inelastic, up to".to_owned()))
+        .mark(Mark::Level(1.0 / collisions as f64, "one event in a run".to_owned()));
+    let picture = draw::draw(&seen(&figure), &Look { colours: colours(), ..look });
     let notes = fine.iter().zip(&coarse).map(|(fine, coarse)| note(fine, coarse)).collect();
     Ok(Made { figure, picture, notes })
+}
+
+/// The points at which there was an event: only they have a place on a logarithmic axis.
+fn seen(figure: &Figure) -> Figure {
+    let some = |series: &Series| {
+        let mut seen = Series::new(&series.name);
+        for k in (0..series.x.len()).filter(|k| series.y[*k] > 0.0) {
+            seen.push_with_error(series.x[k], series.y[k], series.yerr[k]);
+        }
+        seen
+    };
+    Figure { series: figure.series.iter().map(some).collect(), ..figure.clone() }
 }
 
 /// Frequency and its error, which is Poisson's, and that of one event where none was seen.

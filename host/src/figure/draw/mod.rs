@@ -2,8 +2,10 @@
 //!
 //! Lines, dots, error bars, a legend to the right, and the paper's numbers as grey dashed lines or open squares.
 
+mod beside;
 mod look;
 
+pub use beside::beside;
 pub use look::{Kind, Look, Mark, Scale};
 
 use super::{Figure, Series};

@@ -4,6 +4,7 @@ use super::fit;
 use super::shaken::{GRAVITY, Shaken};
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};
 use crate::figure::{Figure, Made, Note, Options, Progress, Series};
+use crate::plot::Scene;
 use anyhow::{Result, ensure};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -50,7 +51,7 @@ pub fn theory(agitation: f64) -> f64 {
 /// For how many periods a column is watched: a flight takes about α/10 of them, and events are what costs.
 pub fn periods(method: &str, beads: usize, agitation: f64, full: bool) -> usize {
     let per_agitation = match (method, beads) {
-        ("MD", _) => 250.0,
+        ("MD", _) => 200.0,
         ("eMD*", _) => 1_000.0,
         (_, BEADS) => 2_500.0,
         _ => 100.0,
@@ -106,14 +107,30 @@ pub fn make(options: &Options) -> Result<Made> {
         figure = figure.with(series);
     }
     let notes = (0..AGITATIONS.len()).map(|k| note(&figure, k)).collect();
-    let curve = (8..=84).map(|k| 0.5 * f64::from(k)).map(|a| [a, theory(a)]).collect();
-    let look = Look::new("A shaken column: *N* (1 − ε) = 0.8, *f* = 20 Hz (L94 Fig. 7)")
-        .labels("α = *A*_{0}ω^{2}/*g*", "*h*_{cm} − *h*_{cm0} [m]")
-        .scales(Scale::LOG.from(4.0, 50.0), Scale::LOG)
+    let picture = picture(&figure);
+    Ok(Made { figure, picture, notes })
+}
+
+/// The paper's picture, and beside it the same in units in which Eq. (10) is level.
+fn picture(figure: &Figure) -> Scene {
+    let labels = ["α = *A*_{0}ω^{2}/*g*", "*h*_{cm} − *h*_{cm0} [m]"];
+    let curve = (0..=84).map(|k| 0.5 * f64::from(k)).map(|a| [a, theory(a)]).collect();
+    let plain = Look::new("Shaken columns, *N* (1 − ε) = 0.8, *f* = 20 Hz (L94 Fig. 7)")
+        .labels(labels[0], labels[1])
+        .scales(Scale::LINEAR.from(0.0, 42.0), Scale::LINEAR)
         .kinds(&[Kind::Dots])
         .mark(Mark::Curve(curve, "paper: Eq. (10)".to_owned()));
-    let picture = draw::draw(&figure, &look);
-    Ok(Made { figure, picture, notes })
+    let mut level = figure.clone();
+    for Series { x, y, yerr, .. } in &mut level.series {
+        x.iter().zip(y).for_each(|(x, y)| *y /= theory(*x));
+        x.iter().zip(yerr).for_each(|(x, e)| *e /= theory(*x));
+    }
+    let relative = Look::new("The same, in units of Eq. (10)")
+        .labels(labels[0], "(*h*_{cm} − *h*_{cm0}) / Eq. (10)")
+        .scales(Scale::LINEAR.from(0.0, 42.0), Scale::LINEAR.from(0.85, 1.08))
+        .mark(Mark::Level(1.0, "paper: Eq. (10)".to_owned()))
+        .mark(Mark::Level(0.95, "5 % below".to_owned()));
+    draw::beside(draw::draw(figure, &plain), draw::draw(&level, &relative))
 }
 
 fn note(figure: &Figure, k: usize) -> Note {

@@ -1,0 +1,93 @@
+// Which of the three experiments is on the screen? Reads tabs, theme and time; writes a frame of the chosen one, again and again.
+
+import { find } from "./control.js";
+import { readColours } from "./look.js";
+import * as pair from "./pair.js";
+import * as tilt from "./tilt.js";
+import * as column from "./column.js";
+
+/** @type {Record<string, { start(): Promise<void>, frame(dt: number): void }>} */
+const rooms = { pair, tilt, column };
+const names = Object.keys(rooms);
+/** @type {Set<string>} */
+const started = new Set();
+let shown = "";
+
+/** How long the last frames took to compute and draw, and how far apart they were, in milliseconds. */
+const frames = { work: /** @type {number[]} */ ([]), apart: /** @type {number[]} */ ([]) };
+Object.assign(globalThis, { caromFrames: frames });
+
+/** @param {string} name @param {boolean} [focus] */
+async function open(name, focus = false) {
+  if (!rooms[name]) name = names[0];
+  shown = "";
+  for (const other of names) {
+    const tab = find(`tab-${other}`);
+    tab.setAttribute("aria-selected", String(other === name));
+    tab.tabIndex = other === name ? 0 : -1;
+    find(`room-${other}`).hidden = other !== name;
+  }
+  if (focus) find(`tab-${name}`).focus();
+  history.replaceState(null, "", `#${name}`);
+  frames.work.length = frames.apart.length = 0;
+  try {
+    if (!started.has(name)) await rooms[name].start();
+    started.add(name);
+    shown = name;
+  } catch (error) {
+    complain(error);
+  }
+}
+
+/** @param {unknown} error */
+function complain(error) {
+  find("trouble").hidden = false;
+  find("trouble").textContent = `Something went wrong: ${error instanceof Error ? error.message : error}`;
+  console.error(error);
+}
+
+for (const [k, name] of names.entries()) {
+  const tab = find(`tab-${name}`);
+  tab.addEventListener("click", () => open(name));
+  tab.addEventListener("keydown", (event) => {
+    const places = { ArrowRight: k + 1, ArrowLeft: k - 1 + names.length, Home: 0, End: names.length - 1 };
+    const place = places[/** @type {keyof typeof places} */ (event.key)];
+    if (place === undefined) return;
+    event.preventDefault();
+    open(names[place % names.length], true);
+  });
+}
+addEventListener("hashchange", () => location.hash.slice(1) !== shown && open(location.hash.slice(1)));
+
+const dark = matchMedia("(prefers-color-scheme: dark)");
+const theme = find("theme");
+/** @param {boolean} isDark */
+function paint(isDark) {
+  document.documentElement.dataset.theme = isDark ? "dark" : "light";
+  theme.textContent = isDark ? "Light" : "Dark";
+  readColours();
+}
+theme.addEventListener("click", () => paint(document.documentElement.dataset.theme !== "dark"));
+dark.addEventListener("change", () => paint(dark.matches));
+paint(dark.matches);
+
+let last = performance.now();
+/** @param {number} now */
+function frame(now) {
+  requestAnimationFrame(frame);
+  const apart = now - last;
+  last = now;
+  if (!shown) return;
+  const start = performance.now();
+  try {
+    rooms[shown].frame(Math.min(apart, 50) / 1000);
+  } catch (error) {
+    shown = "";
+    complain(error);
+  }
+  frames.work.push(performance.now() - start);
+  frames.apart.push(apart);
+  if (frames.work.length > 600) for (const list of [frames.work, frames.apart]) list.shift();
+}
+open(location.hash.slice(1) || names[0]);
+requestAnimationFrame(frame);

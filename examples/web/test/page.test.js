@@ -1,0 +1,212 @@
+// Does the page work? Opens dist/ in Chromium; checks that all controls act, by mouse, keyboard and touch, without an error.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { launch, serve } from "./browser.js";
+
+/** @type {Awaited<ReturnType<typeof serve>>} */ let server;
+/** @type {import("playwright-core").Browser} */ let browser;
+before(async () => {
+  server = await serve();
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+/** Opens an experiment, does something, and sees that nothing complained or left the page's own folder. */
+async function visit(/** @type {string} */ room, /** @type {object} */ options, /** @type {(page: import("playwright-core").Page) => Promise<void>} */ act) {
+  const page = await browser.newPage(options);
+  /** @type {string[]} */
+  const complaints = [];
+  page.on("console", (message) => message.type() !== "log" && complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(String(error)));
+  page.on("request", (request) => request.url().startsWith(server.url) || request.url().startsWith("data:") || complaints.push(request.url()));
+  await page.goto(`${server.url}#${room}`);
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).caromFrames?.work.length > 3);
+  await act(page);
+  assert.equal(await page.locator("#trouble").isVisible(), false);
+  assert.deepEqual(complaints, []);
+  await page.close();
+}
+
+/** @typedef {import("playwright-core").Page} Page */
+const text = (/** @type {Page} */ page, /** @type {string} */ id) => page.locator(`#${id}`).textContent();
+
+/** Does something until what is shown has changed. @param {Page} page @param {string[]} ids @param {() => Promise<unknown>} act */
+async function changes(page, ids, act) {
+  const old = await Promise.all(ids.map((id) => text(page, id)));
+  await act();
+  await page.waitForFunction(
+    ([ids, old]) => ids.some((id, i) => document.getElementById(/** @type {string} */ (id))?.textContent !== old[i]),
+    [ids, old],
+    { timeout: 20_000 },
+  );
+}
+
+/** Where the middle of what is drawn lies in a canvas: from 0, the top left corner, to 1. @param {Page} page @param {string} id */
+const middle = (page, id) =>
+  page.evaluate((id) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById(id));
+    const { width, height } = canvas;
+    const copy = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+    copy?.drawImage(canvas, 0, 0);
+    const data = copy?.getImageData(0, 0, width, height).data ?? [];
+    let [n, x, y] = [0, 0, 0];
+    for (let k = 0; k < width * height; k += 7) if (data[4 * k + 3]) [n, x, y] = [n + 1, x + (k % width), y + Math.floor(k / width)];
+    return { x: x / n / width, y: y / n / height };
+  }, id);
+
+/** Where an element is, brought onto the screen. @param {Page} page @param {string} id */
+async function place(page, id) {
+  await page.locator(`#${id}`).evaluate((element) => element.scrollIntoView({ block: "start" }));
+  const box = await page.locator(`#${id}`).boundingBox();
+  assert.ok(box);
+  return box;
+}
+
+/** Waits until the grains are where they should be. @param {Page} page @param {(at: { x: number, y: number }) => boolean} there */
+async function settles(page, there) {
+  for (let k = 0; k < 100; k++) {
+    if (there(await middle(page, "tilt-canvas"))) return;
+    await page.waitForTimeout(100);
+  }
+  assert.fail(`the grains are at ${JSON.stringify(await middle(page, "tilt-canvas"))}`);
+}
+
+test("tabs and theme: mouse, arrow keys, address", () =>
+  visit("pair", { colorScheme: "light" }, async (page) => {
+    await page.locator("#tab-pair").focus();
+    for (const [key, room] of [["ArrowRight", "tilt"], ["End", "column"], ["ArrowRight", "pair"], ["ArrowLeft", "column"]]) {
+      await page.keyboard.press(key);
+      assert.equal(await page.locator(`#room-${room}`).isVisible(), true);
+      assert.equal(await page.locator("[role=tabpanel]:visible").count(), 1);
+      assert.match(page.url(), new RegExp(`#${room}$`));
+    }
+    await page.click("#tab-tilt");
+    assert.equal(await page.locator("#tab-tilt").getAttribute("aria-selected"), "true");
+    const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const light = await paper();
+    await page.click("#theme");
+    assert.notEqual(await paper(), light);
+  }));
+
+test("everything has a name that can be read out, and all that can be used can be reached by key", () =>
+  visit("pair", {}, async (page) => {
+    const nameless = await page.evaluate(() =>
+      [...document.querySelectorAll("input, button, canvas")]
+        .filter((e) => !(e.ariaLabel || e.textContent?.trim() || /** @type {HTMLInputElement} */ (e).labels?.length))
+        .map((e) => e.id));
+    assert.deepEqual(nameless, []);
+    for (const room of ["pair", "tilt", "column"]) {
+      await page.click(`#tab-${room}`);
+      const wanted = page.locator(`#room-${room} :is(button, input[type=range], canvas[tabindex]):visible`);
+      const ids = await wanted.evaluateAll((all) => all.map((e) => e.id));
+      const reached = new Set();
+      for (let k = 0; k < ids.length + 6; k++) {
+        await page.keyboard.press("Tab");
+        reached.add(await page.evaluate(() => document.activeElement?.id));
+      }
+      assert.deepEqual(ids.filter((id) => !reached.has(id)), []);
+    }
+  }));
+
+test("two grains: Fig. 6, sliders by key, law, time, drag", () =>
+  visit("pair", {}, async (page) => {
+    assert.equal(await text(page, "pair-emd-angle"), "98.8°");
+    assert.equal(await text(page, "pair-star-angle"), "< 0.1°");
+    assert.match((await text(page, "pair-source")) ?? "", /integrated/);
+    const result = ["pair-emd-angle", "pair-tau", "pair-emd-off"];
+    for (const id of ["pair-impact", "pair-stiffness"]) {
+      await page.focus(`#${id}`);
+      await changes(page, result, () => page.keyboard.press("ArrowRight"));
+    }
+    await page.focus("#pair-bounce");
+    await changes(page, result, () => page.keyboard.press("PageDown"));
+    await changes(page, result, () => page.check("input[value=viscoelastic]"));
+    await page.fill("#pair-stiffness", "6.5");
+    await page.waitForFunction(() => document.getElementById("pair-source")?.textContent === "the standard table");
+    assert.ok(Number.parseFloat((await text(page, "pair-emd-angle")) ?? "") < 10, "stiff grains leave as hard ones");
+    await changes(page, result, () => page.click("#pair-preset"));
+    await page.waitForFunction(() => document.getElementById("pair-emd-angle")?.textContent === "98.8°");
+    await page.click("#pair-play");
+    assert.equal(await text(page, "pair-play"), "Play");
+    await page.focus("#pair-time");
+    const here = await middle(page, "pair-canvas");
+    await page.fill("#pair-time", "0.15");
+    await page.waitForTimeout(100);
+    assert.notDeepEqual(await middle(page, "pair-canvas"), here);
+    const box = await place(page, "pair-canvas");
+    await page.mouse.move(box.x + 200, box.y + 200);
+    await page.mouse.down();
+    await changes(page, result, () => page.mouse.move(box.x + 260, box.y + 200, { steps: 4 }));
+    await page.mouse.up();
+  }));
+
+test("tilt box: keys, drag, buttons, sliders; frame time of 500 grains", () =>
+  visit("tilt", {}, async (page) => {
+    await settles(page, ({ y }) => y > 0.65);
+    await page.waitForTimeout(5000);
+    const { work, apart } = await page.evaluate(() => /** @type {any} */ (globalThis).caromFrames);
+    const at = (/** @type {number[]} */ all, /** @type {number} */ share) => [...all].sort((a, b) => a - b)[Math.floor(share * (all.length - 1))];
+    const figures = [work, apart].flatMap((all) => [at(all, 0.5), at(all, 0.95)]).map((ms) => ms.toFixed(1));
+    console.log(`tilt box, 500 grains: a frame takes ${figures[0]} ms (95 %: ${figures[1]} ms); frames are ${figures[2]} ms apart (95 %: ${figures[3]} ms)`);
+    assert.ok(at(work, 0.5) < 200, "a frame must not take a fifth of a second");
+    await page.focus("#tilt-canvas");
+    await page.keyboard.press("ArrowUp");
+    await settles(page, ({ y }) => y < 0.4);
+    for (let k = 0; k < 12; k++) await page.keyboard.press("ArrowRight");
+    await settles(page, ({ x, y }) => Math.abs(x - 0.5) > 0.12 && y < 0.7);
+    await page.click("#tilt-down");
+    await settles(page, ({ y }) => y > 0.6);
+    const box = await place(page, "tilt-canvas");
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 8, box.y + box.height / 2, { steps: 3 });
+    await page.mouse.up();
+    await settles(page, ({ x }) => x < 0.4);
+    await changes(page, ["tilt-energy"], () => page.click("#tilt-toss"));
+    await page.click("#tilt-none");
+    await page.focus("#tilt-bounce");
+    await page.keyboard.press("ArrowLeft");
+    await page.focus("#tilt-count");
+    await page.keyboard.press("Home");
+    assert.equal(await page.locator("output[for=tilt-count]").textContent(), "N = 10");
+    await changes(page, ["tilt-total"], () => page.check("input[name=tilt-method][value='emd*']"));
+    await changes(page, ["tilt-total"], () => page.click("#tilt-reset"));
+    await page.click("#tilt-play");
+    await page.waitForFunction(() => document.getElementById("tilt-pace")?.textContent === "paused");
+  }));
+
+test("tilt box on a phone: a finger, and the device's tilt", () =>
+  visit("tilt", PHONE, async (page) => {
+    const box = await place(page, "tilt-canvas");
+    await page.touchscreen.tap(box.x + box.width / 2, box.y + 6);
+    await settles(page, ({ y }) => y < 0.45);
+    await page.tap("#tilt-device");
+    await page.evaluate(() => dispatchEvent(new DeviceOrientationEvent("deviceorientation", { beta: 0, gamma: -80 })));
+    await settles(page, ({ x }) => x < 0.42);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
+  }));
+
+test("shaken column: forces detach the beads, events do not; sliders and presets act", () =>
+  visit("column", {}, async (page) => {
+    const numbers = async () => (await Promise.all(["column-md-gaps", "column-ed-gaps"].map((id) => text(page, id)))).map((x) => Number.parseFloat(x ?? ""));
+    await page.waitForTimeout(4000);
+    const [md, ed] = await numbers();
+    assert.ok(md > 0.5 && ed < 0.01, `gaps of ${md} d and ${ed} d`);
+    const result = ["column-md-gaps", "column-ed-high"];
+    for (const id of ["column-contact", "column-bounce", "column-beads", "column-shake"]) {
+      await page.focus(`#${id}`);
+      const said = `output[for=${id}]`;
+      const old = await page.locator(said).textContent();
+      await changes(page, result, () => page.keyboard.press("PageUp"));
+      assert.notEqual(await page.locator(said).textContent(), old);
+    }
+    for (const id of ["column-short", "column-gas", "column-long"]) await changes(page, result, () => page.click(`#${id}`));
+    await page.click("#column-play");
+    assert.equal(await text(page, "column-play"), "Play");
+  }));
