@@ -4,10 +4,10 @@ use super::bracket::Found;
 use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
-use super::touch;
+use super::{range, touch};
 use crate::matter::grid::{Grid, Stride};
 use crate::matter::{Body, Boundary, Partner, flight};
-use crate::number::{Scalar, Vector, largest};
+use crate::number::{Scalar, Vector};
 
 /// The earliest event of this grain.
 ///
@@ -181,27 +181,8 @@ fn wander<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, me: &Body<S, D>) -
         Some(grid) => crossing(scene, grid, me),
         None => leash(scene, me).map(|span| (span, Slot::<S>::NO_FACE)),
     };
-    let Some((span, face)) = within_range(scene, me, first) else { return Slot::EMPTY };
+    let Some((span, face)) = range::within(scene, me, first) else { return Slot::EMPTY };
     Slot { face, ..Slot::alone(scene.now + span, Kind::Wander) }
-}
-
-/// A body that may leave the range of its number type is looked at again before it can.
-#[inline]
-fn within_range<S: Scalar, const D: usize>(
-    scene: &Scene<'_, S, D>,
-    body: &Body<S, D>,
-    first: Option<(S, u8)>,
-) -> Option<(S, u8)> {
-    if S::RANGE.is_none() {
-        return first;
-    }
-    let (_, velocity) = flight::free(body, scene.field(), scene.now);
-    let horizon = S::horizon(largest(&velocity), largest(&scene.gravity));
-    match (first, horizon) {
-        (Some((span, _)), Some(horizon)) if span <= horizon => first,
-        (_, Some(horizon)) => Some((horizon, Slot::<S>::NO_FACE)),
-        _ => first,
-    }
 }
 
 /// Whether a predicted event is void because the partner's trajectory has changed since.
