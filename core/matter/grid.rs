@@ -137,19 +137,21 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
 
     /// The cell of a position inside the box.
     pub(crate) fn locate(&self, position: &Vector<S, D>) -> u32 {
-        let mut cell = 0;
-        for (lane, &x) in self.lanes.as_slice().iter().zip(position.iter()).rev() {
-            cell = cell * lane.count + lane.index(x);
+        let mut at = [0; D];
+        for ((c, lane), &x) in at.iter_mut().zip(self.lanes.as_slice()).zip(position.as_slice()) {
+            *c = lane.index(x);
         }
-        cell
+        self.number(&at)
     }
 
     /// A cell's numbers along the axes.
     pub(crate) fn coordinates(&self, mut cell: u32) -> [u32; D] {
         let mut at = [0; D];
         for (c, lane) in at.iter_mut().zip(self.lanes.as_slice().iter()) {
-            *c = cell % lane.count;
-            cell /= lane.count;
+            // No lane is without cells; said like this no panic is linked for it.
+            let above = cell.checked_div(lane.count).unwrap_or(0);
+            *c = cell - above * lane.count;
+            cell = above;
         }
         at
     }
@@ -171,8 +173,12 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
 
     /// The number of the cell with these coordinates.
     fn number(&self, at: &[u32; D]) -> u32 {
-        let cells = at.iter().zip(self.lanes.as_slice().iter()).rev();
-        cells.fold(0, |number, (&c, lane)| number * lane.count + c)
+        let (mut number, mut scale) = (0, 1);
+        for (&c, lane) in at.iter().zip(self.lanes.as_slice()) {
+            number += c * scale;
+            scale *= lane.count;
+        }
+        number
     }
 
     /// The distances from a position to the lower and upper face of its cell along an axis; none where

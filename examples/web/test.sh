@@ -10,4 +10,5 @@ if ! command -v chromium >/dev/null; then
   apt-get install -qq -y --no-install-recommends chromium >/dev/null
 fi
 npx tsc
-node --test --test-concurrency=1 test/
+node --test --test-concurrency=1 test/*.test.js
+node test/shots.js

@@ -5,9 +5,9 @@
 //! and every target (`examples/check.sh`) is held against it. A change of the engine that changes
 //! trajectories changes it; a change of compiler, optimisation or target must not.
 
-use carom::Scalar;
+use carom::number::I32F32;
 use carom_scenes::replay::{Told, replay};
-use carom_scenes::{Event, Scene};
+use carom_scenes::{Event, Number, Scene};
 
 const GOLDEN: &str = include_str!("golden.txt");
 
@@ -22,7 +22,8 @@ fn golden(scene: Scene, scalar: &str) -> impl Iterator<Item = Event> {
 }
 
 /// Runs a scene and compares; the first block that differs is named, and how to find its event.
-fn same<S: Scalar>(scene: Scene, scalar: &str, last: u32) {
+fn same<S: Number>(scene: Scene, last: u32) {
+    let scalar = S::NAME;
     let mut wanted = golden(scene, scalar);
     let mut good = 0;
     let mut compare = |event: Event| {
@@ -37,39 +38,40 @@ fn same<S: Scalar>(scene: Scene, scalar: &str, last: u32) {
         );
         good = event.number;
     };
-    replay::<S>(scene, Told::thousandths(last), &mut compare).unwrap();
+    replay::<S>(scene)(Told::thousandths(last), &mut compare).unwrap();
     assert_eq!(good, last);
 }
 
-fn both(scene: Scene, last: u32) {
-    same::<f32>(scene, "f32", last);
-    same::<f64>(scene, "f64", last);
+fn all(scene: Scene, last: u32) {
+    same::<f32>(scene, last);
+    same::<f64>(scene, last);
+    same::<I32F32>(scene, last);
 }
 
 #[test]
 fn fig6() {
-    both(Scene::Fig6, 10_000);
+    all(Scene::Fig6, 10_000);
 }
 
 #[test]
 fn box16() {
-    both(Scene::Box16, 10_000);
+    all(Scene::Box16, 10_000);
 }
 
 #[test]
 fn gas32() {
-    both(Scene::Gas32, 10_000);
+    all(Scene::Gas32, 10_000);
 }
 
 #[test]
 fn column10() {
-    both(Scene::Column10, 10_000);
+    all(Scene::Column10, 10_000);
 }
 
 #[test]
 #[ignore = "a while in a debug build: run with --release"]
 fn a_hundred_thousand_events() {
     for scene in Scene::ALL {
-        both(scene, 100_000);
+        all(scene, 100_000);
     }
 }

@@ -5,17 +5,19 @@
 
 use std::error::Error;
 
-use carom_scenes::replay::Told;
-use carom_scenes::{Event, Scene, replay};
+use carom::number::I32F32;
+use carom_scenes::replay::{Told, replay};
+use carom_scenes::{Event, Scene};
 
 fn scalar(name: &str, scene: Scene, told: Told) -> Result<(), Box<dyn Error>> {
     let mut tell = |Event { number, digest }: Event| {
         println!("{} {name} {number} {digest:016x}", scene.name());
     };
     match name {
-        "f32" => replay::replay::<f32>(scene, told, &mut tell)?,
-        "f64" => replay::replay::<f64>(scene, told, &mut tell)?,
-        _ => return Err(format!("{name}: the scalars are f32, f64").into()),
+        "f32" => replay::<f32>(scene)(told, &mut tell)?,
+        "f64" => replay::<f64>(scene)(told, &mut tell)?,
+        "I32F32" => replay::<I32F32>(scene)(told, &mut tell)?,
+        _ => return Err(format!("{name}: the scalars are f32, f64, I32F32").into()),
     }
     Ok(())
 }
@@ -28,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let last = words.first().map_or(Ok(10_000), |word| word.parse())?;
     for scene in Scene::ALL {
-        for name in ["f32", "f64"] {
+        for name in ["f32", "f64", "I32F32"] {
             scalar(name, scene, Told::thousandths(last))?;
         }
     }

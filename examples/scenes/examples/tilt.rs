@@ -23,15 +23,10 @@ impl Board for Terminal {
 
 fn main() -> Result<(), Fault> {
     let mut memory = Memory::<f32, 2, GRAINS>::new();
-    let mut world = tilt::tilt_box(&mut memory, &tables::standard::VISCOELASTIC)?;
+    let mut world = tilt::tilt_box(&mut memory, tables::viscoelastic())?;
     tilt::play(&mut world, &mut Terminal)?;
     println!("{:016x} {:?}", world.digest(), world.counters());
-    let cost = measure::event_driven(
-        &mut memory,
-        &tables::standard::VISCOELASTIC,
-        READINGS,
-        &mut Terminal,
-    )?;
+    let cost = measure::event_driven(&mut memory, tables::viscoelastic(), READINGS, &mut Terminal)?;
     println!("{cost:?}");
     Ok(())
 }

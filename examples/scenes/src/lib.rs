@@ -12,4 +12,4 @@ pub mod stepped;
 pub mod tilt;
 
 pub use replay::Event;
-pub use scene::Scene;
+pub use scene::{Number, Scene};

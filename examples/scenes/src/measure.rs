@@ -1,11 +1,11 @@
 //! How many instructions does the tilt box take? Reads a board's counter; writes what each method took.
 
-use carom::law::tables::Groups;
+use carom::law::tables::{Groups, Table};
 use carom::{Fault, Lend, Scalar};
 
-use crate::scene::n;
+use crate::scene::{Number, n};
 use crate::stepped::Stepped;
-use crate::tilt::{self, BETWEEN_READINGS, Board, Table, tilt_box};
+use crate::tilt::{self, BETWEEN_READINGS, Board, tilt_box};
 
 /// What a run took.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,9 +22,9 @@ pub struct Cost {
 ///
 /// # Errors
 /// Any fault of the engine.
-pub fn event_driven<S: Scalar>(
+pub fn event_driven<S: Number>(
     memory: &mut impl Lend<S, 2>,
-    table: &'static Table,
+    table: &'static Table<S::Stored>,
     readings: u32,
     board: &mut impl Board,
 ) -> Result<Cost, Fault> {
@@ -56,7 +56,7 @@ pub fn stepped<S: Scalar>(steps: u32, readings: u32, board: &mut impl Board) -> 
 }
 
 /// One reading of a table, the mean over 64 places in its domain.
-pub fn lookup<S: Scalar>(table: &'static Table, board: &mut impl Board) -> u64 {
+pub fn lookup<S: Number>(table: &'static Table<S::Stored>, board: &mut impl Board) -> u64 {
     let places: [Groups<S>; 64] = core::array::from_fn(|k| {
         let part = |prime: usize| (k * prime % 64) as f64 / 64.0;
         let (eta, c_dis, sin) = (n(0.1 * part(5)), n(0.9 * part(11)), n::<S>(part(23)));

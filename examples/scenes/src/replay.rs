@@ -3,7 +3,7 @@
 use carom::law::Rule;
 use carom::{Fault, Instant, Memory, Scalar, World};
 
-use crate::scene::{self, Scene};
+use crate::scene::{self, Number, Scene};
 
 /// A state after so many events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,33 +39,55 @@ impl Told {
     }
 }
 
-/// Runs a scene in this number type and tells the digests.
+/// How a scene is run in one number type.
+pub type Run = fn(Told, &mut dyn FnMut(Event)) -> Result<(), Fault>;
+
+/// How this scene is run in this number type. A program that names only some of them carries only
+/// their code and tables.
+#[must_use]
+pub fn replay<S: Number>(scene: Scene) -> Run {
+    match scene {
+        Scene::Fig6 => fig6::<S>,
+        Scene::Box16 => box16::<S>,
+        Scene::Gas32 => gas32::<S>,
+        Scene::Column10 => column10::<S>,
+    }
+}
+
+/// Runs [`Scene::Fig6`] and tells the digests.
 ///
 /// # Errors
 /// Any fault of the engine, or [`Fault::Full`] if the scene comes to an end before its last event.
-pub fn replay<S: Scalar>(
-    scene: Scene,
-    told: Told,
-    tell: &mut dyn FnMut(Event),
-) -> Result<(), Fault> {
-    match scene {
-        Scene::Fig6 => {
-            let mut memory = Memory::<S, 2, 2>::new();
-            run(&mut scene::fig6(&mut memory)?, told, tell)
-        }
-        Scene::Box16 => {
-            let mut memory = Memory::<S, 2, 16>::new();
-            turning(&mut scene::box16(&mut memory)?, told, tell)
-        }
-        Scene::Gas32 => {
-            let mut memory = Memory::<S, 3, 32>::new();
-            run(&mut scene::gas32(&mut memory)?, told, tell)
-        }
-        Scene::Column10 => {
-            let mut memory = Memory::<S, 1, 10>::new();
-            run(&mut scene::column10(&mut memory)?, told, tell)
-        }
-    }
+pub fn fig6<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Fault> {
+    let mut memory = Memory::<S, 2, 2>::new();
+    run(&mut scene::fig6(&mut memory)?, told, tell)
+}
+
+/// Runs [`Scene::Box16`] and tells the digests.
+///
+/// # Errors
+/// As [`fig6`].
+pub fn box16<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Fault> {
+    let mut memory = Memory::<S, 2, 16>::new();
+    turning(&mut scene::box16(&mut memory)?, told, tell)
+}
+
+/// Runs [`Scene::Gas32`] and tells the digests.
+///
+/// # Errors
+/// As [`fig6`].
+pub fn gas32<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Fault> {
+    let mut memory = Memory::<S, 3, 32>::new();
+    run(&mut scene::gas32(&mut memory)?, told, tell)
+}
+
+/// Runs [`Scene::Column10`] and tells the digests.
+///
+/// # Errors
+/// As [`fig6`].
+pub fn column10<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Fault> {
+    let mut memory = Memory::<S, 1, 10>::new();
+    run(&mut scene::column10(&mut memory)?, told, tell)
 }
 
 /// Steps through all events.

@@ -1,7 +1,9 @@
 //! Which scenes are replayed? Reads nothing; writes a world into lent memory.
 
-use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic, tables};
+use carom::law::tables::{self, Embedded, Table};
+use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic};
 use carom::matter::{Plane, Surface, Vibration};
+use carom::number::I32F32;
 use carom::{Fault, Grain, Lend, Scalar, World};
 
 /// The scenes that every target replays.
@@ -55,11 +57,36 @@ pub(crate) fn grain<S: Scalar, const D: usize>(
 /// Gravity: 9.81 m/s² in mm/ms².
 pub const GRAVITY: f64 = 9.81e-3;
 
-type Dashpot<S> = Soft<LinearDashpot<S>, tables::Stored>;
-type Rubber<S> = Soft<Viscoelastic<S>, tables::Stored>;
+/// A number type in which everything here runs.
+pub trait Number: Embedded {
+    /// Its name.
+    const NAME: &str;
+    /// The compact table of the viscoelastic law; the standard one is the embedded one.
+    fn compact() -> &'static Table<Self::Stored>;
+}
+
+macro_rules! number {
+    ($type:ident, $compact:ident) => {
+        impl Number for $type {
+            const NAME: &str = stringify!($type);
+            fn compact() -> &'static Table<Self::Stored> {
+                &tables::compact::$compact
+            }
+        }
+    };
+}
+
+number!(f32, VISCOELASTIC);
+number!(f64, VISCOELASTIC);
+number!(I32F32, VISCOELASTIC_I32F32);
+
+/// Linear spring-dashpots.
+pub type Dashpot<S, C> = Soft<LinearDashpot<S>, C>;
+/// Viscoelastic spheres.
+pub type Rubber<S> = Soft<Viscoelastic<S>, <S as Embedded>::Stored>;
 
 /// Rubber of 5 MPa with A = 0.01 ms, read from this table.
-pub(crate) fn rubber<S: Scalar>(table: &'static tables::Table<tables::Stored>) -> Rubber<S> {
+pub(crate) fn rubber<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
     let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.01) };
     Soft::with_table(law, table, Outside::HardSphere)
 }
@@ -68,7 +95,9 @@ pub(crate) fn rubber<S: Scalar>(table: &'static tables::Table<tables::Stored>) -
 ///
 /// # Errors
 /// None unless the memory is too small.
-pub fn fig6<S: Scalar>(memory: &mut impl Lend<S, 2>) -> Result<World<'_, S, 2, Dashpot<S>>, Fault> {
+pub fn fig6<S: Number>(
+    memory: &mut impl Lend<S, 2>,
+) -> Result<World<'_, S, 2, Dashpot<S, tables::Stored>>, Fault> {
     let law = LinearDashpot { stiffness: n(2000.0), damping: n(0.0) };
     let pair = |at, moving| Grain::with_mass(n(0.1), n(4.775_220_8)).at(v(at)).moving(v(moving));
     World::setup(memory)
@@ -83,7 +112,7 @@ pub fn fig6<S: Scalar>(memory: &mut impl Lend<S, 2>) -> Result<World<'_, S, 2, D
 ///
 /// # Errors
 /// None unless the memory is too small.
-pub fn box16<S: Scalar>(memory: &mut impl Lend<S, 2>) -> Result<World<'_, S, 2, Rubber<S>>, Fault> {
+pub fn box16<S: Number>(memory: &mut impl Lend<S, 2>) -> Result<World<'_, S, 2, Rubber<S>>, Fault> {
     let site = |k: u32| {
         let (column, row, odd) = (f64::from(k % 4), f64::from(k / 4), f64::from(k * 7 % 16));
         let at = [1.5 + 3.0 * column, 1.5 + 3.0 * row];
@@ -92,7 +121,7 @@ pub fn box16<S: Scalar>(memory: &mut impl Lend<S, 2>) -> Result<World<'_, S, 2, 
     World::setup(memory)
         .walls([v([0.0, 12.0]); 2])
         .gravity(v([0.0, -GRAVITY]))
-        .rule(rubber(&tables::standard::VISCOELASTIC))
+        .rule(rubber(S::viscoelastic()))
         .grains((0..16).map(site))?
         .start()
 }
@@ -115,7 +144,7 @@ pub fn turned<S: Scalar>(quarters: u32) -> [S; 2] {
 ///
 /// # Errors
 /// None unless the memory is too small.
-pub fn gas32<S: Scalar>(memory: &mut impl Lend<S, 3>) -> Result<World<'_, S, 3, Rubber<S>>, Fault> {
+pub fn gas32<S: Number>(memory: &mut impl Lend<S, 3>) -> Result<World<'_, S, 3, Rubber<S>>, Fault> {
     let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.0) };
     let site = |k: u32| {
         let at = [k % 4, k / 4 % 4, k / 16].map(|i| 2.0 + 4.0 * f64::from(i));
@@ -123,7 +152,7 @@ pub fn gas32<S: Scalar>(memory: &mut impl Lend<S, 3>) -> Result<World<'_, S, 3, 
     };
     World::setup(memory)
         .periodic([v([0.0, 16.0]); 3])
-        .rule(Soft::with_table(law, &tables::standard::VISCOELASTIC, Outside::HardSphere))
+        .rule(Soft::viscoelastic(law, Outside::HardSphere))
         .grains((0..32).map(site))?
         .start()
 }
@@ -132,16 +161,16 @@ pub fn gas32<S: Scalar>(memory: &mut impl Lend<S, 3>) -> Result<World<'_, S, 3, 
 ///
 /// # Errors
 /// None unless the memory is too small.
-pub fn column10<S: Scalar>(
+pub fn column10<S: Number>(
     memory: &mut impl Lend<S, 1>,
-) -> Result<World<'_, S, 1, Dashpot<S>>, Fault> {
+) -> Result<World<'_, S, 1, Dashpot<S, S::Stored>>, Fault> {
     let law = LinearDashpot { stiffness: n(1000.0), damping: n(1.5) };
     let plate = Plane::new(v([1.0]), n(0.0), Surface::Rule);
     let bead = |k: u32| grain(1.0, [1.5 + 2.25 * f64::from(k)], [0.0]);
     World::setup(memory)
         .plane(plate.vibrating(Vibration::new(n(1.0), n(0.025))))
         .gravity(v([-GRAVITY]))
-        .rule(Soft::with_table(law, &tables::wide::LINEAR_DASHPOT, Outside::HardSphere))
+        .rule(Soft::linear_dashpot(law, Outside::HardSphere))
         .grains((0..10).map(bead))?
         .start()
 }

@@ -1,9 +1,10 @@
 //! What is in the tilt box? 32 polydisperse viscoelastic grains under a turning gravity; reads a script, writes frames to a board.
 
-use carom::law::{Rule, Soft, Viscoelastic, tables};
+use carom::law::Rule;
+use carom::law::tables::Table;
 use carom::{Fault, Instant, Lend, Scalar, World};
 
-use crate::scene::{GRAVITY, grain, rubber, v};
+use crate::scene::{GRAVITY, Number, Rubber, grain, rubber, v};
 
 /// How many grains.
 pub const GRAINS: usize = 32;
@@ -17,11 +18,6 @@ pub const READINGS: u32 = 40;
 pub const BETWEEN_READINGS: u32 = 25;
 /// Readings between two frames of the LED matrix.
 const READINGS_A_FRAME: u32 = 4;
-
-/// The table that a tilt box reads.
-pub type Table = tables::Table<tables::Stored>;
-/// The rule of a tilt box.
-pub type Rubber<S> = Soft<Viscoelastic<S>, tables::Stored>;
 
 /// What the tilt box needs of a microcontroller board.
 pub trait Board {
@@ -45,9 +41,9 @@ pub fn site<S: Scalar>(k: u32) -> carom::Grain<S, 2> {
 ///
 /// # Errors
 /// None unless the memory is too small.
-pub fn tilt_box<'m, S: Scalar>(
+pub fn tilt_box<'m, S: Number>(
     memory: &'m mut impl Lend<S, 2>,
-    table: &'static Table,
+    table: &'static Table<S::Stored>,
 ) -> Result<World<'m, S, 2, Rubber<S>>, Fault> {
     World::setup(memory)
         .walls([v([0.0, f64::from(SIDE)]); 2])

@@ -69,7 +69,7 @@ function advance(dt) {
   while (samples.length && samples[0].time < ed.time - SPAN) samples.shift();
 }
 
-/** How far apart the beads are: the sum of all gaps, in diameters. @param {Float64Array} z */
+/** How far apart the beads are: the sum of all gaps, in diameters. @param {ArrayLike<number>} z */
 const stretch = (z) => (z[z.length - 1] - z[0]) / DIAMETER - (z.length - 1);
 /** How high the centre of mass is above that of the column at rest. @param {Float64Array} z */
 const risen = (z) => z.reduce((sum, x) => sum + x, 0) / z.length - (z.length * DIAMETER) / 2;
@@ -95,9 +95,9 @@ function columns({ md, ed, beads, samples }, place) {
   const { pen } = view;
   const now = ed.time;
   // Room for the highest bead of late; it changes gently.
-  const tall = Math.max((beads + 5) * DIAMETER, ...samples.map((s) => s.md[beads - 1] + 2.5 * DIAMETER));
+  const tall = Math.max((beads + 5) * DIAMETER, ...samples.map((s) => Math.max(s.md[beads - 1], s.ed[beads - 1]) + 2.5 * DIAMETER));
   reach += (tall - reach) * (reach ? 0.08 : 1);
-  const zoom = Math.min((place.height - 62) / reach, place.width / 2.6 / DIAMETER);
+  const zoom = Math.min((place.height - 78) / reach, place.width / 2.6 / DIAMETER);
   const floor = place.y + place.height - 14 - 1.8 * zoom * DIAMETER;
   const plate = floor - md.plate(now) * zoom;
   /** @type {[string, ArrayLike<number>, number][]} */
@@ -110,10 +110,11 @@ function columns({ md, ed, beads, samples }, place) {
     for (let i = 0; i < beads; i++) {
       pen.beginPath();
       pen.arc(x, floor - heights[i] * zoom, (DIAMETER / 2) * zoom - 0.5, 0, 2 * Math.PI);
-      pen.fillStyle = scale(0.1 + (0.8 * i) / Math.max(beads - 1, 1));
+      pen.fillStyle = scale(i / Math.max(beads - 1, 1));
       pen.fill();
     }
     label(name, x, place.y + 14, "center");
+    label(`gaps ${Math.abs(stretch(heights)).toFixed(1)} d`, x, place.y + 32, "center", "soft");
   }
 }
 
@@ -124,10 +125,11 @@ function label(text, x, y, align = "left", ink = "ink") {
 }
 
 /** Reduced heights against time, as in L94's Fig. 5: beads that touch are one line. @param {"md" | "ed"} name @param {string} title @param {NonNullable<typeof run>} run @param {Place} place */
-function diagram(name, title, { samples, beads, ed }, place) {
+function diagram(name, title, { samples, beads, ed, md }, place) {
   const { pen } = view;
-  const most = Math.max(3e-3, ...samples.map((s) => s.md[beads - 1] - (beads - 0.5) * DIAMETER));
-  const low = -2e-3;
+  const highest = samples.map((s) => Math.max(s.md[beads - 1], s.ed[beads - 1]) - (beads - 0.5) * DIAMETER);
+  const most = Math.max(3e-3, ...highest);
+  const low = Math.min(-2e-3, -1.1 * md.amplitude);
   const end = Math.max(ed.time, SPAN);
   const x = (/** @type {number} */ t) => place.x + place.width * (1 - (end - t) / SPAN);
   const y = (/** @type {number} */ z) => place.y + 24 + (place.height - 30) * (1 - (z - low) / (most - low));
@@ -149,7 +151,7 @@ function diagram(name, title, { samples, beads, ed }, place) {
   };
   curve((s) => s.plate, colour("faint"), 1.5);
   for (let i = 0; i < beads; i++) {
-    curve((s) => s[name][i] - (i + 0.5) * DIAMETER, scale(0.1 + (0.8 * i) / Math.max(beads - 1, 1)), 1.75);
+    curve((s) => s[name][i] - (i + 0.5) * DIAMETER, scale(i / Math.max(beads - 1, 1)), 1.75);
   }
 }
 
@@ -158,7 +160,7 @@ function draw() {
   if (!run) return;
   const narrow = width < 620;
   const left = narrow ? width : Math.min(0.36 * width, 300);
-  const tall = narrow ? 0.44 * height : height;
+  const tall = narrow ? 0.5 * height : height;
   columns(run, { x: 0, y: 0, width: left, height: tall });
   const place = narrow
     ? { x: 48, y: tall + 10, width: width - 54, height: (height - tall - 10) / 2 }

@@ -19,7 +19,7 @@ export function surface(canvas) {
 
 /** @type {Record<string, string>} */
 let colours = {};
-const NAMES = ["ink", "soft", "faint", "line", "paper", "md", "emd", "star", "accent"];
+const NAMES = ["ink", "soft", "faint", "line", "paper", "emd", "star", "md", "cold"];
 
 /** Reads the theme's colours anew. */
 export function readColours() {
@@ -33,9 +33,10 @@ export const colour = (name) => colours[name];
 /** Stops of a scale whose lightness grows evenly (viridis). */
 const STOPS = [[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132], [122, 209, 81], [253, 231, 37]];
 
-/** A colour between cold and warm. @param {number} fraction */
+/** A colour between cold (never too dark for the theme) and warm. @param {number} fraction */
 export function scale(fraction) {
-  const place = Math.min(Math.max(fraction, 0), 1) * (STOPS.length - 1);
+  const cold = Number(colours.cold);
+  const place = (cold + (0.94 - cold) * Math.min(Math.max(fraction, 0), 1)) * (STOPS.length - 1);
   const k = Math.min(Math.floor(place), STOPS.length - 2);
   const mix = STOPS[k].map((from, i) => Math.round(from + (STOPS[k + 1][i] - from) * (place - k)));
   return `rgb(${mix.join(" ")})`;

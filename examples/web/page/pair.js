@@ -112,7 +112,9 @@ const turned = (run, md) => Math.abs((((run.direction - md.direction) * 180) / M
 function report({ md, emd, star, tau, integrated }) {
   for (const [name, run] of /** @type {[string, Run][]} */ ([["emd", emd], ["star", star]])) {
     const degrees = turned(run, md);
-    show(`pair-${name}-angle`, degrees < 0.05 ? "< 0.1°" : `${degrees.toFixed(1)}°`);
+    const angle = degrees < 0.05 ? "< 0.1°" : `${degrees.toFixed(1)}°`;
+    show(`pair-${name}-angle`, angle);
+    show(`pair-${name}-off-by`, `${angle} off`);
     show(`pair-${name}-off`, `${words(off(run, md), 2)} l`);
   }
   show("pair-tau", si(tau, "s"));

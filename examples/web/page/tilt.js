@@ -177,7 +177,7 @@ function draw() {
   for (let i = 0; i < scene.count; i++) {
     const speed = Math.hypot(velocities[2 * i], velocities[2 * i + 1]);
     circle(pen, positions[2 * i] * size.width, size.height * (1 - positions[2 * i + 1]), radii[i] * size.width - 0.4);
-    pen.fillStyle = scale(0.12 + 0.8 * Math.sqrt(speed / 3.5));
+    pen.fillStyle = scale(Math.sqrt(speed / 3.5));
     pen.fill();
   }
   compass();
