@@ -8,6 +8,7 @@ pub(crate) mod order;
 mod plane;
 pub(crate) mod predict;
 pub(crate) mod queue;
+mod range;
 pub(crate) mod rest;
 pub mod root;
 pub(crate) mod scene;

@@ -3,10 +3,10 @@
 use super::bracket::Found;
 use super::queue::{Kind, Slot};
 use super::scene::Scene;
-use super::{root, touch};
+use super::{range, root, touch};
 use crate::matter::grid::{Grid, Stride};
 use crate::matter::{Body, Boundary, flight};
-use crate::number::{Scalar, Vector, largest};
+use crate::number::{Scalar, Vector};
 
 /// When the body gets out of reach of the neighbours that were looked at.
 #[inline]
@@ -19,26 +19,8 @@ pub(super) fn away<S: Scalar, const D: usize>(
         Some(grid) => crossing(scene, grid, me, free),
         None => leash(scene, me).map(|span| (span, Slot::<S>::NO_FACE)),
     };
-    let Some((span, face)) = within_range(scene, free[1], first) else { return Slot::EMPTY };
+    let Some((span, face)) = range::within(scene, me, first) else { return Slot::EMPTY };
     Slot { face, ..Slot::alone(scene.now + span, Kind::Wander) }
-}
-
-/// A body that may leave the range of its number type is looked at again before it can.
-#[inline]
-fn within_range<S: Scalar, const D: usize>(
-    scene: &Scene<'_, S, D>,
-    velocity: &Vector<S, D>,
-    first: Option<(S, u8)>,
-) -> Option<(S, u8)> {
-    if S::RANGE.is_none() {
-        return first;
-    }
-    let horizon = S::horizon(largest(velocity), largest(&scene.gravity));
-    match (first, horizon) {
-        (Some((span, _)), Some(horizon)) if span <= horizon => first,
-        (_, Some(horizon)) => Some((horizon, Slot::<S>::NO_FACE)),
-        _ => first,
-    }
 }
 
 /// When the grain leaves its cell, and through which face.

@@ -5,11 +5,11 @@
 //! ([`Scalar::horizon`]), and every overflow is seen: it is not a number, and ends in a fault.
 
 use super::{I16F16, I32F32, Instant, Product, Scalar, Vector};
-use carom_tables::number::{fixed, integer};
+use carom_tables::number::{Product as Exact, integer};
 
 macro_rules! scalar {
     ($t:ident, $word:ident, $wide:ident) => {
-        impl Product<$t> for fixed::Product<$wide> {
+        impl Product<$t> for Exact<$wide> {
             #[inline]
             fn rounded(self) -> $t {
                 self.rounded()
@@ -23,7 +23,7 @@ macro_rules! scalar {
         }
 
         impl Scalar for $t {
-            type Product = fixed::Product<$wide>;
+            type Product = Exact<$wide>;
 
             const NEVER: Self = Self::MAX;
             const LAST: Self = Self::MAX;

@@ -1,9 +1,12 @@
 //! What does the firmware of every family do? The tilt box and its measurements; reads a chip, writes text.
 
-use carom::law::tables;
-use carom::{Fault, Memory, Scalar, World};
+use carom::law::tables::{Embedded, Table};
+use carom::number::I32F32;
+use carom::{Fault, Memory, World};
+use carom_scenes::Number;
 use carom_scenes::measure::{self, Cost};
-use carom_scenes::tilt::{self, Board, GRAINS, READINGS, Rubber, Table};
+use carom_scenes::scene::Rubber;
+use carom_scenes::tilt::{self, Board, GRAINS, READINGS};
 use semihosting::println;
 
 use crate::stack::Painted;
@@ -12,7 +15,10 @@ use crate::stack::Painted;
 ///
 /// # Errors
 /// Any fault of the engine.
-pub fn tilt_box<S: Scalar>(table: &'static Table, board: &mut impl Board) -> Result<(), Fault> {
+pub fn tilt_box<S: Number>(
+    table: &'static Table<S::Stored>,
+    board: &mut impl Board,
+) -> Result<(), Fault> {
     let mut memory = Memory::<S, 2, GRAINS>::new();
     let mut world = tilt::tilt_box(&mut memory, table)?;
     tilt::play(&mut world, board)?;
@@ -28,14 +34,21 @@ const STEPPED: u32 = 4;
 
 /// Measures everything, one line for each number.
 pub fn measure_all(paint: usize, board: &mut impl Board) {
-    measure::<f32>("f32 standard", &tables::standard::VISCOELASTIC, paint, board);
-    measure::<f32>("f32 compact", &tables::compact::VISCOELASTIC, paint, board);
+    measure::<f32>("f32 standard", f32::viscoelastic(), paint, board);
+    measure::<f32>("f32 compact", f32::compact(), paint, board);
+    measure::<I32F32>("I32F32 standard", I32F32::viscoelastic(), paint, board);
+    measure::<I32F32>("I32F32 compact", I32F32::compact(), paint, board);
     let md = measure::stepped::<f32>(STEPS, STEPPED, board);
     println!("f32 md instructions {}", md * u64::from(READINGS / STEPPED));
 }
 
 /// Measures the tilt box with one table in one number type.
-fn measure<S: Scalar>(name: &str, table: &'static Table, paint: usize, board: &mut impl Board) {
+fn measure<S: Number>(
+    name: &str,
+    table: &'static Table<S::Stored>,
+    paint: usize,
+    board: &mut impl Board,
+) {
     let mut memory = Memory::<S, 2, GRAINS>::new();
     println!("{name} memory {}", size_of_val(&memory));
     println!("{name} world {}", size_of::<World<'_, S, 2, Rubber<S>>>());

@@ -4,6 +4,7 @@ mod conservation;
 mod contact;
 mod corners;
 mod faults;
+mod fixed;
 mod gas;
 mod neighbours;
 mod plates;

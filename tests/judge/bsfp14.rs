@@ -1,7 +1,7 @@
 //! Do we get what Bannerman et al. (Comput. Part. Mech. 1, 191, 2014) got? Bouncing balls and gases against the closed form and the paper.
 
 use carom_host::figure::bsfp14::ball::{self, Way, t_final};
-use carom_host::figure::bsfp14::gas;
+use carom_host::figure::bsfp14::{gas, three};
 use carom_host::figure::hard::Fluid;
 
 const PLATES: u32 = 4_000;
@@ -66,4 +66,23 @@ fn spheres_collide_at_contact_but_for_the_last_places() {
     assert!((0.35..0.55).contains(&share));
     assert!((0.5..10.0).contains(&deviation));
     assert_eq!(seen.histogram.iter().sum::<u64>(), seen.overlaps.impacts);
+}
+
+/// Fig. 5: three spheres overlap in proportion to the rounding of positions, and several times more often
+/// where collisions dissipate, as the paper says. Coarse positions make them frequent enough to count.
+#[test]
+#[ignore = "half a minute: run with --release"]
+fn three_overlap_in_proportion_to_rounding_and_more_with_dissipation() {
+    let per_impact = |middle: f64, restitution: f64| {
+        let fluid = Fluid { middle, ..Fluid::elastic(500, 0.9) };
+        let start = fluid.equilibrium::<3>(20).unwrap();
+        let seen = gas::run(&Fluid { restitution, ..fluid }, &start, 100_000, |_| {}).unwrap();
+        let (hits, count) = (seen.overlaps.three_body as f64, seen.overlaps.impacts as f64);
+        println!("2^{:.1}, ε = {restitution}: {hits} of {count}", middle.log2());
+        [hits / count, hits.sqrt() / count]
+    };
+    let [coarse, finer] = [8.0 * three::FAR, three::FAR].map(|middle| per_impact(middle, 1.0));
+    let error = coarse[1].hypot(8.0 * finer[1]);
+    assert!((coarse[0] - 8.0 * finer[0]).abs() < 3.0 * error, "{coarse:?} {finer:?}");
+    assert!(per_impact(three::FAR, 0.5)[0] > 4.0 * finer[0]);
 }

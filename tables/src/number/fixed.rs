@@ -12,11 +12,7 @@ use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::{Real, integer};
-
-/// An exact product of two fixed-point numbers, or a sum of such: twice as many bits, and not-a-number.
-#[derive(Clone, Copy, Default)]
-pub struct Product<W>(W);
+use super::{Product, integer};
 
 macro_rules! fixed {
     ($name:ident, $word:ident, $wide:ident, $fraction:literal, $plain:path, $about:literal) => {
@@ -27,7 +23,7 @@ macro_rules! fixed {
         #[derive(Clone, Copy, Default)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "serde", serde(transparent))]
-        pub struct $name($word);
+        pub struct $name(pub(super) $word);
 
         impl $name {
             /// Bits after the point.
@@ -59,7 +55,7 @@ macro_rules! fixed {
                 self.0 != $word::MIN
             }
 
-            const fn or_nan(bits: Option<$word>) -> Self {
+            pub(super) const fn or_nan(bits: Option<$word>) -> Self {
                 match bits {
                     Some(bits) => Self(bits),
                     None => Self::NAN,
@@ -130,98 +126,6 @@ macro_rules! fixed {
             #[must_use]
             pub fn to_whole(self) -> u32 {
                 (self.0.max(0) >> $fraction) as u32
-            }
-        }
-
-        impl Product<$wide> {
-            /// Not a number.
-            pub const NAN: Self = Self($wide::MIN);
-
-            /// Whether it is a number.
-            #[must_use]
-            pub const fn is_number(self) -> bool {
-                self.0 != $wide::MIN
-            }
-
-            /// How many steps of 2^−2 FRACTION it is; none for not-a-number.
-            #[must_use]
-            pub fn bits(self) -> Option<i128> {
-                self.is_number().then(|| self.0.into())
-            }
-
-            /// The nearest single number.
-            #[inline]
-            #[must_use]
-            pub fn rounded(self) -> $name {
-                if !self.is_number() {
-                    return $name::NAN;
-                }
-                // Halves away from zero: negation and rounding can be swapped.
-                let half = (1 << ($fraction - 1)) + (self.0 >> ($wide::BITS - 1));
-                $name::or_nan(
-                    self.0.checked_add(half).and_then(|p| $word::try_from(p >> $fraction).ok()),
-                )
-            }
-
-            /// The nearest number to the square root.
-            #[must_use]
-            pub fn root(self) -> $name {
-                let Ok(bits) = u128::try_from(self.0) else { return $name::NAN };
-                $name::from_wide(i64::try_from(integer::root(bits)).ok())
-            }
-
-            /// Divided by a number, rounded once; what is not zero does not become zero: who approaches,
-            /// however slowly, approaches at some speed.
-            #[must_use]
-            pub fn over(self, divisor: $name) -> $name {
-                if !(self.is_number() && divisor.is_number()) {
-                    return $name::NAN;
-                }
-                let (n, d) = (i128::from(self.0).unsigned_abs(), divisor.0.unsigned_abs());
-                let q = integer::quotient(n, d.into(), 0).map(|q| q.max(i64::from(n != 0)));
-                $name::from_wide(if (self.0 < 0) == (divisor.0 < 0) { q } else { q.map(|q| -q) })
-            }
-        }
-
-        impl Add for Product<$wide> {
-            type Output = Self;
-            #[inline]
-            fn add(self, other: Self) -> Self {
-                if !(self.is_number() && other.is_number()) {
-                    return Self::NAN;
-                }
-                self.0.checked_add(other.0).map_or(Self::NAN, Self)
-            }
-        }
-
-        impl Neg for Product<$wide> {
-            type Output = Self;
-            #[inline]
-            fn neg(self) -> Self {
-                // The only one that negation leaves as it is is not a number.
-                Self(self.0.wrapping_neg())
-            }
-        }
-
-        impl Sub for Product<$wide> {
-            type Output = Self;
-            #[inline]
-            fn sub(self, other: Self) -> Self {
-                self + -other
-            }
-        }
-
-        impl PartialEq for Product<$wide> {
-            #[inline]
-            fn eq(&self, other: &Self) -> bool {
-                self.0 == other.0 && self.is_number()
-            }
-        }
-
-        impl PartialOrd for Product<$wide> {
-            #[inline]
-            fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-                (self.is_number() && other.is_number()).then(|| self.0.cmp(&other.0))
             }
         }
 
@@ -376,82 +280,3 @@ fixed!(
     ::fixed::types::I16F16,
     "A signed fixed-point number with 16 bits before and 16 after the point: ±32767 in steps of 1.5·10⁻⁵."
 );
-
-macro_rules! real {
-    ($name:ident, $precise:ident, $precise_of:expr, $rounded:expr, $quanta:expr) => {
-        impl Real for $name {
-            type Precise = $precise;
-
-            #[inline]
-            fn from_f32(value: f32) -> Self {
-                Self::from_wide(integer::from_float(
-                    value.to_bits() as u64,
-                    23,
-                    127,
-                    Self::FRACTION,
-                ))
-            }
-            #[inline]
-            fn from_f64(value: f64) -> Self {
-                Self::from_wide(integer::from_float(value.to_bits(), 52, 1023, Self::FRACTION))
-            }
-            fn to_f64(self) -> f64 {
-                if !self.is_number() {
-                    return f64::NAN;
-                }
-                f64::from_bits(integer::to_float(self.0.into(), Self::FRACTION))
-            }
-            #[inline]
-            fn from_quanta(quanta: i32) -> Self {
-                $quanta(quanta)
-            }
-            fn sqrt(self) -> Self {
-                if self.0 < 0 {
-                    return Self::NAN;
-                }
-                let bits = u128::from(self.0.unsigned_abs()) << Self::FRACTION;
-                Self::from_wide(i64::try_from(integer::root(bits)).ok())
-            }
-            fn cbrt(self) -> Self {
-                if self.0 < 0 {
-                    return Self::NAN;
-                }
-                let bits = u128::from(self.0.unsigned_abs()) << (2 * Self::FRACTION);
-                Self::from_wide(Some(integer::cube_root(bits)))
-            }
-            fn ln_1p(self) -> Self {
-                if self.0 < 0 {
-                    return Self::NAN;
-                }
-                Self::from_wide(Some(integer::logarithm(self.0.into(), Self::FRACTION)))
-            }
-            /// The square of a large tangent does not fit; this order does.
-            fn push(tangent: Self, eta: Self) -> Self {
-                tangent * (tangent * eta)
-            }
-            #[inline]
-            fn precise(self) -> $precise {
-                $precise_of(self)
-            }
-            #[inline]
-            fn rounded(precise: $precise) -> Self {
-                $rounded(precise)
-            }
-        }
-    };
-}
-
-real!(I32F32, I32F32, |x| x, |x| x, |q| I32F32(i64::from(q) << 4));
-real!(
-    I16F16,
-    I32F32,
-    |x: I16F16| if x.is_number() { I32F32(i64::from(x.0) << 16) } else { I32F32::NAN },
-    narrowed,
-    |q: i32| I16F16(q.saturating_add(1 << 11) >> 12)
-);
-
-/// The nearest `I16F16`, halves away from zero.
-fn narrowed(x: I32F32) -> I16F16 {
-    let half = (1 << 15) + (x.0 >> 63);
-    I16F16::from_wide(x.0.checked_add(half).filter(|_| x.is_number()).map(|bits| bits >> 16))
-}

@@ -8,6 +8,12 @@ pub mod fixed;
 pub mod integer;
 #[cfg(feature = "fixed")]
 pub use self::fixed::{I16F16, I32F32};
+#[cfg(feature = "fixed")]
+mod product;
+#[cfg(feature = "fixed")]
+mod reading;
+#[cfg(feature = "fixed")]
+pub use product::Product;
 
 /// The operations that reading a table uses, and no more.
 ///

@@ -30,7 +30,8 @@ pub fn rule<S: Scalar>(draw: &mut Draw<'_>) -> Drawn<S> {
         ),
         4 => {
             let law = lsd(draw);
-            let rule = Central(Soft::linear_dashpot(law, Outside::Clamp));
+            let table = carom::law::tables::linear_dashpot();
+            let rule = Central(Soft::with_table(law, table, Outside::Clamp));
             Drawn { rule: Box::new(rule), gain: 1e-3 }
         }
         _ => {

@@ -8,7 +8,9 @@ pub mod replay;
 #[path = "../../stack.rs"]
 pub mod stack;
 
-use carom_scenes::tilt::{Board, Table};
+use carom::law::tables::{Embedded, Table};
+use carom_scenes::Number as _;
+use carom_scenes::tilt::Board;
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m::peripheral::{SCB, SYST};
 use semihosting::io::{self, Write};
@@ -28,11 +30,17 @@ const LONGEST: u32 = 0x00FF_FFFF;
 /// How much of the stack is painted: most of the micro:bit's 16 KiB.
 pub const PAINT: usize = if M4F { 32 * 1024 } else { 8 * 1024 };
 
+/// The number of this board's tilt box: fixed point where there is no floating-point unit.
+#[cfg(target_abi = "eabihf")]
+pub type Number = f32;
+/// The number of this board's tilt box: fixed point where there is no floating-point unit.
+#[cfg(not(target_abi = "eabihf"))]
+pub type Number = carom::number::I32F32;
+
 /// The table of this board's tilt box: the compact one where flash is short.
 #[must_use]
-pub fn table() -> &'static Table {
-    use carom::law::tables;
-    if M4F { &tables::standard::VISCOELASTIC } else { &tables::compact::VISCOELASTIC }
+pub fn table() -> &'static Table<<Number as Embedded>::Stored> {
+    if M4F { Number::viscoelastic() } else { Number::compact() }
 }
 
 /// The board: its clock, and a console.
@@ -84,10 +92,11 @@ impl Chip {
 }
 
 impl Board for Chip {
-    fn write(&mut self, text: &[u8]) {
-        if let Some(console) = &mut self.console {
-            // There is nobody to tell if the console is gone.
-            let _ = console.write_all(text);
+    fn write(&mut self, mut text: &[u8]) {
+        // There is nobody to tell if the console is gone; `write_all` would link a panic.
+        let Some(console) = &mut self.console else { return };
+        while let Ok(written @ 1..) = console.write(text) {
+            text = text.get(written..).unwrap_or_default();
         }
     }
 

@@ -8,16 +8,21 @@ pub mod replay;
 #[path = "../../stack.rs"]
 pub mod stack;
 
-use carom_scenes::tilt::{Board, Table};
+use carom::law::tables::{Embedded, Table};
+use carom_scenes::Number as _;
+use carom_scenes::tilt::Board;
 use semihosting::io::{self, Write};
 
 /// How much of the stack is painted.
 pub const PAINT: usize = 32 * 1024;
 
-/// The table of this board's tilt box.
+/// The number of this board's tilt box: fixed point, for there is no floating-point unit.
+pub type Number = carom::number::I32F32;
+
+/// The table of this board's tilt box: the compact one.
 #[must_use]
-pub fn table() -> &'static Table {
-    &carom::law::tables::compact::VISCOELASTIC
+pub fn table() -> &'static Table<<Number as Embedded>::Stored> {
+    Number::compact()
 }
 
 /// The board: its counter of instructions, and a console.
@@ -34,10 +39,11 @@ impl Chip {
 }
 
 impl Board for Chip {
-    fn write(&mut self, text: &[u8]) {
-        if let Some(console) = &mut self.console {
-            // There is nobody to tell if the console is gone.
-            let _ = console.write_all(text);
+    fn write(&mut self, mut text: &[u8]) {
+        // There is nobody to tell if the console is gone; `write_all` would link a panic.
+        let Some(console) = &mut self.console else { return };
+        while let Ok(written @ 1..) = console.write(text) {
+            text = text.get(written..).unwrap_or_default();
         }
     }
 

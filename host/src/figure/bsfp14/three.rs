@@ -15,8 +15,8 @@ const RESTITUTIONS: [f64; 8] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 0.9, 1.0];
 /// Below this gases collapse, and what is counted depends on how collapses are ended, not on rounding.
 const NO_COLLAPSE: f64 = 0.4;
 const GRAINS: usize = 1_372;
-/// 1.5 · 2^40: there floating-point numbers are 2^−12 apart.
-pub const FAR: f64 = 1.5 * 1_099_511_627_776.0;
+/// 1.5 · 2^37: there floating-point numbers are 2^−15 apart.
+pub const FAR: f64 = 1.5 * 137_438_953_472.0;
 
 /// Makes the figure: for each density three curves over the coefficient of restitution.
 pub fn make(options: &Options) -> Result<Made> {

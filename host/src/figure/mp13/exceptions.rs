@@ -28,7 +28,7 @@ fn gases(scan: &str, dissipation: f64) -> Vec<(f64, SoftGas)> {
 
 /// Makes the figure: frequencies of both exceptions along both scans, elastic and dissipative.
 pub fn make(options: &Options) -> Result<Made> {
-    let collisions = if options.full { 1_000_000 } else { 150_000 };
+    let collisions = if options.full { 1_000_000 } else { 30_000 };
     let points = (PACKINGS.len() + MODULI.len()) * DISSIPATIONS.len();
     let progress = Progress::new("mp13-7", points as u64);
     let axes = ["packing fraction η, or Y (Pa)", "exceptions per 1000 collisions"];

@@ -15,7 +15,7 @@ const POISSON: f64 = 0.4;
 /// Of each component of the velocity: a thermal velocity √(2 kT/m) of 2 m/s.
 const SPEED: f64 = SQRT_2;
 /// Elastic collisions of each grain, as hard spheres, before the gas is made soft.
-const EQUILIBRATION: u64 = 8;
+const EQUILIBRATION: u64 = 4;
 
 /// The paper's gas of viscoelastic spheres in a periodic box.
 ///

@@ -7,5 +7,5 @@ use semihosting::process;
 
 #[entry]
 fn main() -> ! {
-    process::exit(carom_cortex_m::replay::main::<f32>("f32"))
+    process::exit(carom_cortex_m::replay::main::<f32>())
 }

@@ -7,5 +7,5 @@ use semihosting::process;
 
 #[entry]
 fn main() -> ! {
-    process::exit(carom_riscv::replay::main::<f64>("f64"))
+    process::exit(carom_riscv::replay::main::<f64>())
 }

@@ -1,0 +1,53 @@
+//! Which digests does WebAssembly get? Reads which events of which scene; writes a list of digests that JavaScript reads.
+#![no_std]
+#![allow(unsafe_code)] // Exported names are; nothing else here is.
+
+use core::sync::atomic::{AtomicU64, Ordering};
+
+use carom::number::I32F32;
+use carom_scenes::replay::{Run, Told, replay};
+use carom_scenes::{Event, Scene};
+
+/// How many digests one replay can tell.
+const MOST: usize = 1024;
+
+static DIGESTS: [AtomicU64; MOST] = [const { AtomicU64::new(0) }; MOST];
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    core::arch::wasm32::unreachable()
+}
+
+/// Replays a scene in a number type (0: `f32`, 1: `f64`, 2: `I32F32`) and tells each event after `from` up to `last`
+/// whose number is a multiple of `every`. Returns how many digests there are; -1 for a fault.
+#[unsafe(no_mangle)]
+pub extern "C" fn run(scene: usize, scalar: u32, from: u32, last: u32, every: u32) -> i32 {
+    let mut count = 0;
+    let mut tell = |event: Event| {
+        if let Some(place) = DIGESTS.get(count) {
+            place.store(event.digest, Ordering::Relaxed);
+            count += 1;
+        }
+    };
+    let told = Told { last, every, from };
+    match chosen(scene, scalar).map(|run| run(told, &mut tell)) {
+        Some(Ok(())) => count as i32,
+        _ => -1,
+    }
+}
+
+/// The digest with this index of the last replay.
+#[unsafe(no_mangle)]
+pub extern "C" fn digest(index: usize) -> u64 {
+    DIGESTS.get(index).map_or(0, |place| place.load(Ordering::Relaxed))
+}
+
+fn chosen(scene: usize, scalar: u32) -> Option<Run> {
+    let scene = *Scene::ALL.get(scene)?;
+    match scalar {
+        0 => Some(replay::<f32>(scene)),
+        1 => Some(replay::<f64>(scene)),
+        2 => Some(replay::<I32F32>(scene)),
+        _ => None,
+    }
+}
