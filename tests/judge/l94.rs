@@ -137,8 +137,8 @@ fn layers_by_both_integrators() {
     let (patience, seeds) = ([40.0, 20.0], 0..6);
     let mean = |exact: bool| {
         let eps = |seed| match exact {
-            true => fig4::wide(1.0, 0.0, seed).collide_exactly(patience),
-            false => fig4::wide(1.0, 0.0, seed).collide(50.0, patience),
+            true => fig4::wide(3.0, 0.0, seed).collide_exactly(patience),
+            false => fig4::wide(3.0, 0.0, seed).collide(50.0, patience),
         };
         fit::mean(&seeds.clone().map(|seed| eps(seed).unwrap()).collect::<Vec<f64>>())
     };

@@ -11,7 +11,7 @@ pub mod stack;
 use carom::law::tables::{Embedded, Table};
 use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
-use semihosting::io::{self, Write};
+use semihosting::sys::arm_compat::sys_writec;
 
 /// How much of the stack is painted.
 pub const PAINT: usize = 32 * 1024;
@@ -25,26 +25,21 @@ pub fn table() -> &'static Table<<Number as Embedded>::Stored> {
     Number::compact()
 }
 
-/// The board: its counter of instructions, and a console.
-pub struct Chip {
-    console: Option<io::Stdout>,
-}
+/// The board: its counter of instructions.
+pub struct Chip;
 
 impl Chip {
-    /// Opens the console.
+    /// There is nothing to start.
     #[must_use]
     pub fn start() -> Self {
-        Self { console: io::stdout().ok() }
+        Self
     }
 }
 
 impl Board for Chip {
-    fn write(&mut self, mut text: &[u8]) {
-        // There is nobody to tell if the console is gone; `write_all` would link a panic.
-        let Some(console) = &mut self.console else { return };
-        while let Ok(written @ 1..) = console.write(text) {
-            text = text.get(written..).unwrap_or_default();
-        }
+    /// A byte at a time: the console's `write` could panic, and nothing in the image shall.
+    fn write(&mut self, text: &[u8]) {
+        text.iter().for_each(|&byte| sys_writec(byte));
     }
 
     /// Waits: with `-icount shift=0` one instruction takes one virtual nanosecond. A board with a
