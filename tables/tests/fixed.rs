@@ -27,6 +27,11 @@ fn is(got: I32F32, want: Option<i128>) -> bool {
     }
 }
 
+/// Whether r is the whole number nearest to √(n/4): (r − 1/2)² ≤ n/4 ≤ (r + 1/2)².
+fn is_root(r: i128, n: i128) -> bool {
+    (r == 0 || (2 * r - 1) * (2 * r - 1) <= n) && n <= (2 * r + 1) * (2 * r + 1)
+}
+
 /// n/d to the nearest, halves away from zero.
 fn rounded(n: i128, d: i128) -> i128 {
     let q = (2 * n.abs() + d.abs()) / (2 * d.abs());
@@ -64,7 +69,8 @@ proptest! {
         for r in [bad + x, x - bad, bad * x, x / bad, -bad, bad.sqrt(), bad.cbrt(), bad.ln_1p()] {
             prop_assert!(!r.is_number());
         }
-        prop_assert!(!(bad < x || bad > x || bad == x || bad == bad || bad <= x || x >= bad));
+        prop_assert!(bad != x && bad != bad.sqrt() && bad.partial_cmp(&x).is_none());
+        prop_assert!(x.partial_cmp(&bad).is_none() && x.times(bad).partial_cmp(&x.times(x)).is_none());
     }
 
     #[test]
@@ -74,9 +80,8 @@ proptest! {
             prop_assert!(!r.is_number());
             return Ok(());
         }
-        // (r − 1/2)² ≤ a 2³² ≤ (r + 1/2)², times four.
         let (r, n) = (i128::from(r.to_bits()), i128::from(a) << 34);
-        prop_assert!((2 * r - 1) * (2 * r - 1) <= n && n <= (2 * r + 1) * (2 * r + 1));
+        prop_assert!(is_root(r, n));
         let s = x.times(x).root();
         prop_assert_eq!(s.to_bits(), a);
     }
@@ -170,7 +175,7 @@ proptest! {
         }
         let n = i128::from(a) << 18;
         let r = i128::from(x.sqrt().to_bits());
-        prop_assert!(a < 0 || (2 * r - 1) * (2 * r - 1) <= n && n <= (2 * r + 1) * (2 * r + 1));
+        prop_assert!(a < 0 || is_root(r, n));
     }
 }
 
