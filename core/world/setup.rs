@@ -4,7 +4,7 @@ use super::memory::{Lend, Room};
 use super::{World, check};
 use crate::event::queue::Queue;
 use crate::event::scene::{Counters, Release, Scene};
-use crate::event::{Slot, predict, support};
+use crate::event::{Kind, Slot, predict, support};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
 use crate::matter::boundary::MOST_PLANES;
@@ -257,10 +257,13 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         predict::ahead(&self.scene, grain, slot)
     }
 
-    /// Predicts every grain's next event.
+    /// Predicts every grain's next event. Who was told to check what holds it still does so first.
     pub(super) fn predict_all(&mut self) {
         for i in 0..self.scene.bodies.len() {
-            let slot = self.predict(i);
+            let slot = match self.queue.slot(i).kind {
+                Kind::Check => Slot::alone(self.scene.now, Kind::Check),
+                _ => self.predict(i),
+            };
             if let Some(place) = self.queue.slots.get_mut(i) {
                 *place = slot;
             }

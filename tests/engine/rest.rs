@@ -265,3 +265,32 @@ fn a_pile_comes_to_rest_as_one() {
     pile::<2, 12>(0.9, 3);
     pile::<3, 18>(0.5, 3);
 }
+
+/// One grain lies on another, which is shot away from under it. Whenever clocks are set back meanwhile,
+/// the upper one must look whether it is still held.
+#[test]
+fn what_lies_on_a_grain_that_is_shot_away_falls() {
+    const R: f64 = 1.0e-3;
+    let mut rested = 0;
+    for k in 0..600 {
+        let height = 3.0 * R + 1.0e-6 * f64::from(k);
+        let mut memory = Memory::<f64, 2, 3>::new();
+        let grain = Grain::sphere(R, 2500.0);
+        let mut world = World::setup(&mut memory)
+            .gravity([0.0, -9.81])
+            .plane(Plane::new([0.0, 1.0], 0.0, Surface::Hard(0.5)))
+            .rule(HardSphere { restitution: 0.5 })
+            .grains([grain.at([0.0, R]), grain.at([0.0, height])])
+            .unwrap()
+            .grain(grain.at([-10.0 * R, R]).moving([0.02, 0.0]))
+            .unwrap()
+            .start()
+            .unwrap();
+        world.advance_to(0.35).unwrap();
+        rested += usize::from(world.view().is_at_rest(1));
+        world.advance_to(0.6).unwrap();
+        let upper = world.grain(1).unwrap().position[1];
+        assert!(upper < 2.9 * R, "case {k}: {upper}");
+    }
+    assert!(rested > 500, "only {rested} lay still before: the test shows nothing");
+}
