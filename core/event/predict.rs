@@ -5,6 +5,7 @@ use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
 use super::{touch, wander};
+use crate::matter::cells::CROWD;
 use crate::matter::grid::Stride;
 use crate::matter::{Body, Partner, flight};
 use crate::number::{Scalar, Vector};
@@ -16,7 +17,7 @@ use crate::number::{Scalar, Vector};
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
     let Some(look) = Look::from(scene, grain) else { return Slot::EMPTY };
     let mut slot = Slot::EMPTY;
-    scene.cells.near(look.me.cell, |k, image| look.pair(&mut slot, k, image));
+    scene.cells.crowds(look.me.cell, &mut |crowd, straight| look.crowd(&mut slot, crowd, straight));
     look.planes(&mut slot);
     look.earliest(slot)
 }
@@ -34,7 +35,9 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     let Some(look) = Look::from(scene, grain) else { return Slot::EMPTY };
     let stride = Stride::from_code(slot.face);
     let mut slot = slot.only_meeting();
-    scene.cells.ahead(look.me.cell, stride, |k, image| look.pair(&mut slot, k, image));
+    scene
+        .cells
+        .ahead(look.me.cell, stride, &mut |crowd, straight| look.crowd(&mut slot, crowd, straight));
     if scene.boundary.planes().iter().any(|plane| plane.vibration.is_some()) {
         // The search for a plate goes no further than to the next cell.
         look.planes(&mut slot);
@@ -48,8 +51,9 @@ struct Look<'a, S: Scalar, const D: usize> {
     grain: usize,
     /// The grain at its own clock.
     me: &'a Body<S, D>,
-    /// Where it is now, if nothing holds it.
+    /// Where it is now and how it flies, if nothing holds it.
     here: Vector<S, D>,
+    velocity: Vector<S, D>,
     /// The grain now; only where some are held.
     now: Option<Body<S, D>>,
     /// What it does by itself.
@@ -65,7 +69,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         let now = (scene.held > 0).then(|| scene.present(grain));
         let (here, velocity) = flight::free(me, scene.field(), scene.now);
         let wander = wander::away(scene, me, [&here, &velocity]);
-        Some(Self { scene, grain, me, here, own: own(scene, me), wander, now })
+        Some(Self { scene, grain, me, here, velocity, own: own(scene, me), wander, now })
     }
 
     /// How far a search needs to look.
@@ -73,52 +77,74 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         self.own.time.smaller(self.wander.time).smaller(slot.meeting) - self.scene.now
     }
 
-    /// Takes the meeting with grain `k` into account; without an image, in the one that is nearest now.
-    #[inline]
-    fn pair(&self, slot: &mut Slot<S>, k: usize, image: Option<&Vector<S, D>>) {
-        match (image, self.scene.body(k)) {
-            (Some(image), Some(other)) => self.near(slot, k, other, image),
-            (None, Some(other)) => {
-                let image = touch::near_image(self.scene, &self.here, other);
-                self.near(slot, k, other, &image);
-            }
-            _ => {}
-        }
-    }
-
-    /// The same with a given image. Most pairs never meet: what is done for those that do is elsewhere,
-    /// so that nothing is saved and restored for the others.
-    #[inline]
-    fn near(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>, image: &Vector<S, D>) {
-        let me = self.me;
-        let bound = me.partner == Partner::grain(k) && other.partner == Partner::grain(self.grain);
-        if k == self.grain || bound {
-            return;
-        }
-        if self.now.as_ref().is_some_and(|now| now.is_held() || other.is_held()) {
-            return self.held(slot, k, other);
-        }
-        if let Some(time) = touch::flying(self.scene, [me, other], image)
-            && time <= slot.meeting
-        {
-            self.candidate(slot, k, other, time);
-        }
-    }
-
-    /// Grain `k` may be the next that is met.
+    /// Takes the meetings with a crowd into account, in the images that are nearest now.
     #[inline(never)]
-    fn candidate(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>, time: S) {
-        let time = time.larger(not_before(self.me)).larger(not_before(other));
-        if time < self.scene.now {
+    fn crowd(&self, slot: &mut Slot<S>, crowd: &[u32], straight: bool) {
+        let Some(now) = &self.now else { return self.fly(slot, crowd, straight) };
+        for k in crowd {
+            match self.scene.body(*k as usize) {
+                Some(other) if now.is_held() || other.is_held() => {
+                    self.held(slot, *k as usize, other);
+                }
+                _ => self.fly(slot, core::slice::from_ref(k), straight),
+            }
+        }
+    }
+
+    /// The same if nothing holds any of them. Most pairs never meet, which a glance tells: at all of them
+    /// first, without a branch, and then at the others closely.
+    #[inline(never)]
+    fn fly(&self, slot: &mut Slot<S>, crowd: &[u32], straight: bool) {
+        let scene = self.scene;
+        let (field, now, radius) = (scene.field(), scene.now, self.me.radius);
+        let (here, velocity) = (self.here, self.velocity);
+        let straight = straight || scene.boundary.is_open();
+        let (mut kept, mut count) = ([0; CROWD], 0);
+        for &k in crowd {
+            let Some(other) = scene.body(k as usize) else { continue };
+            let (y, w) = flight::nearly(other, field, now);
+            let apart = if straight { here - y } else { scene.boundary.nearest(here - y) };
+            if let Some(place) = kept.get_mut(count) {
+                *place = k;
+            }
+            count += usize::from(root::may_meet(&apart, &(velocity - w), radius + other.radius));
+        }
+        for &k in kept.get(..count).unwrap_or_default() {
+            self.candidate(slot, k as usize, straight);
+        }
+    }
+
+    /// Takes the meeting with grain `k` into account.
+    #[inline]
+    fn candidate(&self, slot: &mut Slot<S>, k: usize, straight: bool) {
+        let (scene, me) = (self.scene, self.me);
+        let Some(other) = scene.body(k) else { return };
+        let image = match straight {
+            true => Vector::zeros(),
+            false => touch::near_image(scene, &self.here, other),
+        };
+        let time = touch::flying(scene, [me, other], &image).filter(|&time| time <= slot.meeting);
+        let Some(time) = time.filter(|_| !self.is_bound(k, other)) else { return };
+        let time = time.larger(not_before(me)).larger(not_before(other));
+        if time < scene.now {
             return self.missed(slot, k);
         }
         meet(slot, time, Partner::grain(k), other.stamp);
+    }
+
+    /// Whether it is the grain itself, or they are in contact with each other.
+    fn is_bound(&self, k: usize, other: &Body<S, D>) -> bool {
+        let me = (self.me.partner, Partner::grain(self.grain));
+        k == self.grain || me == (Partner::grain(k), other.partner)
     }
 
     /// The same if one of the two is held.
     #[inline(never)]
     fn held(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>) {
         let (scene, Some(now)) = (self.scene, &self.now) else { return };
+        if self.is_bound(k, other) {
+            return;
+        }
         let found = touch::held(scene, now, &scene.present(k), self.limit(slot));
         let from = not_before(self.me).larger(not_before(other));
         self.found(slot, found, from, Partner::grain(k));

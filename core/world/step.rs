@@ -168,7 +168,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         for &grain in &affected.woken {
             let cell = self.scene.body(grain).map_or(0, |body| body.cell);
             let (scene, queue) = (&self.scene, &mut self.queue);
-            scene.cells.near(cell, |k, _| {
+            scene.cells.near(cell, |k| {
                 if support::lies_on(scene, k, grain) {
                     queue.set(k, Slot::alone(scene.now, Kind::Check));
                 }
