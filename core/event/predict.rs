@@ -4,7 +4,7 @@ use super::bracket::Found;
 use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
-use super::{touch, wander};
+use super::{order, touch, wander};
 use crate::matter::cells::CROWD;
 use crate::matter::grid::Stride;
 use crate::matter::{Body, Partner, flight};
@@ -129,7 +129,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         if time < scene.now {
             return self.missed(slot, k);
         }
-        meet(slot, time, Partner::grain(k), other.stamp);
+        self.meet(slot, time, Partner::grain(k), other.stamp);
     }
 
     /// Whether it is the grain itself, or they are in contact with each other.
@@ -157,7 +157,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         let apart = self.scene.separation(&me, &other);
         let reach = me.radius + other.radius;
         if let Some(span) = root::spheres(&apart, &(me.velocity - other.velocity), reach) {
-            meet(slot, self.scene.now + span, Partner::grain(k), other.stamp);
+            self.meet(slot, self.scene.now + span, Partner::grain(k), other.stamp);
         }
     }
 
@@ -175,7 +175,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
                 self.found(slot, found, not_before(me), Partner::plane(p));
             } else if let Some(time) = touch::wall(scene, me, plane) {
                 let time = time.larger(scene.now).larger(not_before(me));
-                meet(slot, time, Partner::plane(p), 0);
+                self.meet(slot, time, Partner::plane(p), 0);
             }
         }
     }
@@ -185,10 +185,36 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         let stamp = partner.as_grain().and_then(|k| self.scene.body(k)).map_or(0, |b| b.stamp);
         let now = self.scene.now;
         match found {
-            Found::Event(span) => meet(slot, (now + span).larger(from), partner, stamp),
-            Found::NotBefore(span) => meet(slot, now + span, Partner::NOTHING, 0),
+            Found::Event(span) => self.meet(slot, (now + span).larger(from), partner, stamp),
+            Found::NotBefore(span) => self.meet(slot, now + span, Partner::NOTHING, 0),
             Found::Nothing => {}
         }
+    }
+
+    /// Keeps the earlier meeting, of equal ones the faster. NaN and infinity never win, nor what lies
+    /// beyond the instants that there are.
+    ///
+    /// With nothing it is no meeting but a look again.
+    #[inline]
+    fn meet(&self, slot: &mut Slot<S>, time: S, partner: Partner, stamp: u32) {
+        let sooner = time < slot.meeting || time == slot.meeting && self.is_first(slot, partner);
+        if sooner && time <= S::LAST {
+            let kind = if partner == Partner::NOTHING { Kind::Wander } else { Kind::Meet };
+            let face = Slot::<S>::NO_FACE;
+            *slot = Slot { time, meeting: time, partner, stamp, kind, face };
+        }
+    }
+
+    /// Whether of two meetings at one instant that with this partner is the faster, or of equals that with
+    /// the lower number: in which order neighbours are visited does not matter.
+    #[cold]
+    fn is_first(&self, slot: &Slot<S>, partner: Partner) -> bool {
+        let speed = |with| order::closing_speed(self.scene, (self.grain, with), slot.meeting);
+        if partner == Partner::NOTHING || slot.partner == Partner::NOTHING {
+            return partner.word() < slot.partner.word();
+        }
+        let [new, old] = [partner, slot.partner].map(speed);
+        new > old || new == old && partner.word() < slot.partner.word()
     }
 
     /// The first of the meeting, what the grain does by itself, and its way out of reach.
@@ -234,17 +260,4 @@ pub(crate) fn is_stale<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, slot:
 /// would collapse as hard ones do.
 fn not_before<S: Scalar, const D: usize>(body: &Body<S, D>) -> S {
     if body.in_contact() { body.moment } else { S::zero() }
-}
-
-/// Keeps the earlier meeting; of equal ones the lower partner, so that the order in which neighbours are
-/// visited does not matter. NaN and infinity never win, nor what lies beyond the instants that there are.
-///
-/// With nothing it is no meeting but a look again.
-#[inline]
-fn meet<S: Scalar>(slot: &mut Slot<S>, time: S, partner: Partner, stamp: u32) {
-    let tie = time == slot.meeting && partner.word() < slot.partner.word();
-    if (time < slot.meeting || tie) && time <= S::LAST {
-        let kind = if partner == Partner::NOTHING { Kind::Wander } else { Kind::Meet };
-        *slot = Slot { time, meeting: time, partner, stamp, kind, face: Slot::<S>::NO_FACE };
-    }
 }
