@@ -224,7 +224,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         if self.own.time <= slot.time && self.own.kind != Kind::Nothing {
             slot = self.own;
         }
-        if self.wander.time < slot.time {
+        if self.wander.time < slot.time && self.wander.time <= S::LAST {
             let Slot { time, kind, face, .. } = self.wander;
             slot = Slot { time, kind, face, ..meeting };
         }
