@@ -138,7 +138,7 @@ fn panel(figure: &Figure, quantity: &str) -> Scene {
             let (Some(found), Some(md)) = (find(method, young), find("MD", young)) else {
                 continue;
             };
-            let mut series = Series::new(format!("{}, *Y* = {gpa}", method.replace('*', "∗")));
+            let mut series = Series::new(format!("{method}, Y = {gpa}"));
             for i in 0..found.x.len() {
                 let of = |s: &Series| [s.y[i], s.yerr[i]];
                 let [y, error] = apart(of(found), of(md));
