@@ -8,6 +8,7 @@ mod fixed;
 mod gas;
 mod neighbours;
 mod plates;
+mod range;
 mod rest;
 mod rooms;
 mod saved;

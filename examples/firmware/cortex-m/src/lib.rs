@@ -28,7 +28,7 @@ const NANOSECONDS_PER_MILLISECOND: u64 = 1_000_000;
 const LONGEST: u32 = 0x00FF_FFFF;
 
 /// How much of the stack is painted: most of the micro:bit's 16 KiB.
-pub const PAINT: usize = if M4F { 32 * 1024 } else { 8 * 1024 };
+pub const PAINT: usize = if M4F { 32 * 1024 } else { 9 * 1024 };
 
 /// The number of this board's tilt box: fixed point where there is no floating-point unit.
 #[cfg(target_abi = "eabihf")]
