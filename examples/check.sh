@@ -74,7 +74,7 @@ board() { # target, image, words of its command line
     thumbv6m*) set -- qemu-system-arm -M microbit ;;
     riscv32*) set -- qemu-system-riscv32 -M virt -bios none ;;
   esac
-  timeout 900 "$@" -nographic "${count[@]}" -semihosting-config "$semihosting" -kernel "$image" </dev/null
+  timeout 3600 "$@" -nographic "${count[@]}" -semihosting-config "$semihosting" -kernel "$image" </dev/null
 }
 
 # Compares a replay with the golden file; names the first event that differs.

@@ -33,13 +33,13 @@ const BEGIN: u32 = 8;
 /// Measures the tilt box with each of these tables and by MD, one line for each number.
 pub fn measure_all<S: Number>(
     tables: &[(&str, &'static Table<S::Stored>)],
-    paint: usize,
+    stack: usize,
     board: &mut impl Board,
 ) {
     println!("memory {}", size_of::<Memory<S, 2, GRAINS>>());
     println!("world {}", size_of::<World<'_, S, 2, Rubber<S>>>());
     for (name, table) in tables {
-        measure::<S>(name, table, paint, board);
+        measure::<S>(name, table, stack, board);
         println!("{name}.lookup {}", measure::lookup::<S>(table, board));
     }
     match measure::stepped::<S>(S::compact(), BEGIN, STEPS, board) {
@@ -53,11 +53,11 @@ pub fn measure_all<S: Number>(
 fn measure<S: Number>(
     name: &str,
     table: &'static Table<S::Stored>,
-    paint: usize,
+    stack: usize,
     board: &mut impl Board,
 ) {
     let mut memory = tilt::memory::<S>();
-    let painted = Painted::new(paint);
+    let painted = Painted::new(stack);
     let run = measure::event_driven::<S>(&mut memory, table, READINGS, board);
     match painted.used() {
         Some(bytes) => println!("{name}.stack {bytes}"),

@@ -3,8 +3,7 @@
 //! The scheme is that of textbook MD: velocity Verlet, one evaluation of the forces a step, neighbour
 //! lists, contacts by the very force law whose table the event-driven run reads.
 
-use carom::law::Rule;
-use carom::{Scalar, World};
+use carom::{Grain, Scalar};
 
 use crate::scene::n;
 use crate::tilt::{self, DISSIPATION, GRAINS, POISSON, SIDE, YOUNG};
@@ -51,12 +50,11 @@ fn minus<S: Scalar>(a: [S; 2], b: [S; 2]) -> [S; 2] {
 }
 
 impl<S: Scalar> Stepped<S> {
-    /// The grains of the tilt box as they are in a world, and a time step in milliseconds.
+    /// The grains of the tilt box, and a time step in milliseconds.
     #[must_use]
-    pub fn new<R: Rule<S>>(world: &World<'_, S, 2, R>, step: S) -> Self {
+    pub fn new(grains: &[Grain<S, 2>; GRAINS], step: S) -> Self {
         let zero = [S::zero(); 2];
-        let bodies = core::array::from_fn(|k| {
-            let grain = world.grain(k).unwrap_or_else(|| tilt::site(k as u32));
+        let bodies = grains.map(|grain| {
             let (position, velocity) = (grain.position.into(), grain.velocity.into());
             let (radius, mass) = (grain.radius, grain.mass);
             Body { position, velocity, force: zero, listed: position, radius, mass }
@@ -143,9 +141,9 @@ impl<S: Scalar> Stepped<S> {
         let approach = -dot(apart, minus(one.velocity, other.velocity)) / distance;
         let rho = self.stiffness * (one.radius * other.radius / reach).sqrt();
         let along = force(rho, self.dissipation, reach - distance, approach) / distance;
-        for axis in 0..2 {
-            self.bodies[a].force[axis] += along * apart[axis];
-            self.bodies[b].force[axis] -= along * apart[axis];
+        for (axis, part) in apart.into_iter().enumerate() {
+            self.bodies[a].force[axis] += along * part;
+            self.bodies[b].force[axis] -= along * part;
         }
     }
 

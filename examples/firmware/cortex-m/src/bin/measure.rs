@@ -3,7 +3,7 @@
 #![no_main]
 
 use carom::law::tables::Embedded;
-use carom_cortex_m::{Chip, M4F, Number, PAINT, app};
+use carom_cortex_m::{Chip, M4F, Number, STACK, app};
 use carom_scenes::Number as _;
 use cortex_m_rt::entry;
 use semihosting::process;
@@ -14,6 +14,6 @@ fn main() -> ! {
     let tables = [("compact", Number::compact()), ("standard", Number::viscoelastic())];
     // A soft multiplication takes hundreds of instructions: one table says enough there.
     let tables = if M4F { &tables[..] } else { &tables[..1] };
-    app::measure_all::<Number>(tables, PAINT, &mut Chip::start(peripherals.SYST));
+    app::measure_all::<Number>(tables, STACK, &mut Chip::start(peripherals.SYST));
     process::exit(0)
 }
