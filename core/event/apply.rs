@@ -249,14 +249,16 @@ fn grains<S: Scalar, const D: usize>(
         return Ok(Deed::Rest);
     }
     let [frozen, held] = [Body::is_frozen, Body::is_held].map(|is| pair.iter().any(is));
-    match response {
-        _ if is_slow && frozen => rest::part(scene, who, &pair, &touch, affected),
-        Response::Lasting(outcome) => {
-            contact::begins(scene, who, &pair, (&touch, &outcome), affected)
-        }
-        _ if is_slow && held => rest::part(scene, who, &pair, &touch, affected),
-        _ => bounce::grains(scene, who, &pair, &touch, (restitution, is_slow), affected),
+    if let Response::Lasting(outcome) = response
+        && !(is_slow && frozen)
+        && contact::begins(scene, who, &pair, (&touch, &outcome), affected)
+    {
+        return Ok(Deed::Contact(outcome));
     }
+    if is_slow && held {
+        return rest::part(scene, who, &pair, &touch, affected);
+    }
+    bounce::grains(scene, who, &pair, &touch, (restitution, is_slow), affected)
 }
 
 /// Whether a body can still be computed with; the field that cannot.

@@ -1,10 +1,9 @@
 //! How does a lasting contact begin? Reads two bodies and an outcome; writes both, turned and bound (E^φ).
 
-use super::apply::{Affected, Deed};
+use super::apply::Affected;
+use super::rest;
 use super::scene::Scene;
 use super::turn::Touch;
-use super::{bounce, rest};
-use crate::fault::Fault;
 use crate::law::Outcome;
 use crate::matter::{Body, Partner};
 use crate::number::{Scalar, Vector, norm};
@@ -25,14 +24,15 @@ pub(super) fn unbroken<S: Scalar, const D: usize>(
 }
 
 /// E^φ: the line of centres turns, both grains take the velocity of their centre of mass, and what
-/// they will have after the contact is kept for E^v (MP13 §VI.B.2).
+/// they will have after the contact is kept for E^v (MP13 §VI.B.2). False if the turn would overlap a
+/// third body (exception a): then nothing has changed.
 pub(super) fn begins<S: Scalar, const D: usize>(
     scene: &mut Scene<'_, S, D>,
     who: [usize; 2],
     pair: &[Body<S, D>; 2],
     (touch, outcome): (&Touch<S, D>, &Outcome<S>),
     affected: &mut Affected,
-) -> Result<Deed<S>, Fault> {
+) -> bool {
     let [a, b] = pair;
     let [i, k] = who;
     let (separation, velocity) = touch.after(a.radius + b.radius, outcome);
@@ -44,7 +44,7 @@ pub(super) fn begins<S: Scalar, const D: usize>(
     let (at_a, at_b) = (a.position + step(share_a), b.position + step(share_b));
     if !(scene.is_free(i, at_a, Partner::grain(k)) && scene.is_free(k, at_b, Partner::grain(i))) {
         scene.counters.rotation_refused += 1;
-        return bounce::grains(scene, who, pair, touch, (outcome.restitution, false), affected);
+        return false;
     }
     let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / mass);
     let bound = |body: &Body<S, D>, position, share, partner| Body {
@@ -63,5 +63,5 @@ pub(super) fn begins<S: Scalar, const D: usize>(
             rest::wakes(scene, x, affected);
         }
     }
-    Ok(Deed::Contact(*outcome))
+    true
 }

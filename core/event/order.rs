@@ -71,7 +71,7 @@ fn first_of<S: Scalar, const D: usize>(
     queue.tied(time, &mut |k| {
         let tied = queue.slot(k);
         if tied.kind == Kind::Meet {
-            let speed = closing_speed(scene, k, &tied);
+            let speed = closing_speed(scene, (k, tied.partner), tied.time);
             let equal = Some(speed) == best.1 && k < best.0;
             if equal || best.1.is_none_or(|most| speed > most) {
                 best = (k, Some(speed));
@@ -83,18 +83,18 @@ fn first_of<S: Scalar, const D: usize>(
     best.0
 }
 
-/// The speed at which the two of an event approach each other when it is due.
-fn closing_speed<S: Scalar, const D: usize>(
+/// The speed at which a grain and its partner approach each other at a time.
+pub(super) fn closing_speed<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
-    grain: usize,
-    slot: &Slot<S>,
+    (grain, partner): (usize, Partner),
+    time: S,
 ) -> S {
-    let at = |i: usize| scene.body(i).map(|body| flight::at(body, scene.field(), slot.time));
+    let at = |i: usize| scene.body(i).map(|body| flight::at(body, scene.field(), time));
     let Some(me) = at(grain) else { return S::zero() };
-    if let Some(plane) = slot.partner.as_plane().and_then(|p| scene.boundary.planes().get(p)) {
-        return plane.motion(slot.time).speed - dot(&plane.normal, &me.velocity);
+    if let Some(plane) = partner.as_plane().and_then(|p| scene.boundary.planes().get(p)) {
+        return plane.motion(time).speed - dot(&plane.normal, &me.velocity);
     }
-    let Some(other) = slot.partner.as_grain().and_then(at) else { return S::zero() };
+    let Some(other) = partner.as_grain().and_then(at) else { return S::zero() };
     let apart = scene.separation(&me, &other);
     -S::dot(&apart, &(me.velocity - other.velocity)).over(norm(&apart))
 }

@@ -4,7 +4,8 @@ use super::bracket::Found;
 use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
-use super::{touch, wander};
+use super::{order, touch, wander};
+use crate::matter::cells::CROWD;
 use crate::matter::grid::Stride;
 use crate::matter::{Body, Partner, flight};
 use crate::number::{Scalar, Vector};
@@ -16,7 +17,7 @@ use crate::number::{Scalar, Vector};
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
     let Some(look) = Look::from(scene, grain) else { return Slot::EMPTY };
     let mut slot = Slot::EMPTY;
-    scene.cells.near(look.me.cell, |k, image| look.pair(&mut slot, k, image));
+    scene.cells.crowds(look.me.cell, &mut |crowd, straight| look.crowd(&mut slot, crowd, straight));
     look.planes(&mut slot);
     look.earliest(slot)
 }
@@ -34,7 +35,9 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     let Some(look) = Look::from(scene, grain) else { return Slot::EMPTY };
     let stride = Stride::from_code(slot.face);
     let mut slot = slot.only_meeting();
-    scene.cells.ahead(look.me.cell, stride, |k, image| look.pair(&mut slot, k, image));
+    scene
+        .cells
+        .ahead(look.me.cell, stride, &mut |crowd, straight| look.crowd(&mut slot, crowd, straight));
     if scene.boundary.planes().iter().any(|plane| plane.vibration.is_some()) {
         // The search for a plate goes no further than to the next cell.
         look.planes(&mut slot);
@@ -48,8 +51,9 @@ struct Look<'a, S: Scalar, const D: usize> {
     grain: usize,
     /// The grain at its own clock.
     me: &'a Body<S, D>,
-    /// Where it is now, if nothing holds it.
+    /// Where it is now and how it flies, if nothing holds it.
     here: Vector<S, D>,
+    velocity: Vector<S, D>,
     /// The grain now; only where some are held.
     now: Option<Body<S, D>>,
     /// What it does by itself.
@@ -65,7 +69,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         let now = (scene.held > 0).then(|| scene.present(grain));
         let (here, velocity) = flight::free(me, scene.field(), scene.now);
         let wander = wander::away(scene, me, [&here, &velocity]);
-        Some(Self { scene, grain, me, here, own: own(scene, me), wander, now })
+        Some(Self { scene, grain, me, here, velocity, own: own(scene, me), wander, now })
     }
 
     /// How far a search needs to look.
@@ -73,52 +77,74 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         self.own.time.smaller(self.wander.time).smaller(slot.meeting) - self.scene.now
     }
 
-    /// Takes the meeting with grain `k` into account; without an image, in the one that is nearest now.
-    #[inline]
-    fn pair(&self, slot: &mut Slot<S>, k: usize, image: Option<&Vector<S, D>>) {
-        match (image, self.scene.body(k)) {
-            (Some(image), Some(other)) => self.near(slot, k, other, image),
-            (None, Some(other)) => {
-                let image = touch::near_image(self.scene, &self.here, other);
-                self.near(slot, k, other, &image);
-            }
-            _ => {}
-        }
-    }
-
-    /// The same with a given image. Most pairs never meet: what is done for those that do is elsewhere,
-    /// so that nothing is saved and restored for the others.
-    #[inline]
-    fn near(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>, image: &Vector<S, D>) {
-        let me = self.me;
-        let bound = me.partner == Partner::grain(k) && other.partner == Partner::grain(self.grain);
-        if k == self.grain || bound {
-            return;
-        }
-        if self.now.as_ref().is_some_and(|now| now.is_held() || other.is_held()) {
-            return self.held(slot, k, other);
-        }
-        if let Some(time) = touch::flying(self.scene, [me, other], image)
-            && time <= slot.meeting
-        {
-            self.candidate(slot, k, other, time);
-        }
-    }
-
-    /// Grain `k` may be the next that is met.
+    /// Takes the meetings with a crowd into account, in the images that are nearest now.
     #[inline(never)]
-    fn candidate(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>, time: S) {
-        let time = time.larger(not_before(self.me)).larger(not_before(other));
-        if time < self.scene.now {
+    fn crowd(&self, slot: &mut Slot<S>, crowd: &[u32], straight: bool) {
+        let Some(now) = &self.now else { return self.fly(slot, crowd, straight) };
+        for k in crowd {
+            match self.scene.body(*k as usize) {
+                Some(other) if now.is_held() || other.is_held() => {
+                    self.held(slot, *k as usize, other);
+                }
+                _ => self.fly(slot, core::slice::from_ref(k), straight),
+            }
+        }
+    }
+
+    /// The same if nothing holds any of them. Most pairs never meet, which a glance tells: at all of them
+    /// first, without a branch, and then at the others closely.
+    #[inline(never)]
+    fn fly(&self, slot: &mut Slot<S>, crowd: &[u32], straight: bool) {
+        let scene = self.scene;
+        let (field, now, radius) = (scene.field(), scene.now, self.me.radius);
+        let (here, velocity) = (self.here, self.velocity);
+        let straight = straight || scene.boundary.is_open();
+        let (mut kept, mut count) = ([0; CROWD], 0);
+        for &k in crowd {
+            let Some(other) = scene.body(k as usize) else { continue };
+            let (y, w) = flight::nearly(other, field, now);
+            let apart = if straight { here - y } else { scene.boundary.nearest(here - y) };
+            if let Some(place) = kept.get_mut(count) {
+                *place = k;
+            }
+            count += usize::from(root::may_meet(&apart, &(velocity - w), radius + other.radius));
+        }
+        for &k in kept.get(..count).unwrap_or_default() {
+            self.candidate(slot, k as usize, straight);
+        }
+    }
+
+    /// Takes the meeting with grain `k` into account.
+    #[inline]
+    fn candidate(&self, slot: &mut Slot<S>, k: usize, straight: bool) {
+        let (scene, me) = (self.scene, self.me);
+        let Some(other) = scene.body(k) else { return };
+        let image = match straight {
+            true => Vector::zeros(),
+            false => touch::near_image(scene, &self.here, other),
+        };
+        let time = touch::flying(scene, [me, other], &image).filter(|&time| time <= slot.meeting);
+        let Some(time) = time.filter(|_| !self.is_bound(k, other)) else { return };
+        let time = time.larger(not_before(me)).larger(not_before(other));
+        if time < scene.now {
             return self.missed(slot, k);
         }
-        meet(slot, time, Partner::grain(k), other.stamp);
+        self.meet(slot, time, Partner::grain(k), other.stamp);
+    }
+
+    /// Whether it is the grain itself, or they are in contact with each other.
+    fn is_bound(&self, k: usize, other: &Body<S, D>) -> bool {
+        let me = (self.me.partner, Partner::grain(self.grain));
+        k == self.grain || me == (Partner::grain(k), other.partner)
     }
 
     /// The same if one of the two is held.
     #[inline(never)]
     fn held(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>) {
         let (scene, Some(now)) = (self.scene, &self.now) else { return };
+        if self.is_bound(k, other) {
+            return;
+        }
         let found = touch::held(scene, now, &scene.present(k), self.limit(slot));
         let from = not_before(self.me).larger(not_before(other));
         self.found(slot, found, from, Partner::grain(k));
@@ -131,7 +157,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         let apart = self.scene.separation(&me, &other);
         let reach = me.radius + other.radius;
         if let Some(span) = root::spheres(&apart, &(me.velocity - other.velocity), reach) {
-            meet(slot, self.scene.now + span, Partner::grain(k), other.stamp);
+            self.meet(slot, self.scene.now + span, Partner::grain(k), other.stamp);
         }
     }
 
@@ -149,7 +175,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
                 self.found(slot, found, not_before(me), Partner::plane(p));
             } else if let Some(time) = touch::wall(scene, me, plane) {
                 let time = time.larger(scene.now).larger(not_before(me));
-                meet(slot, time, Partner::plane(p), 0);
+                self.meet(slot, time, Partner::plane(p), 0);
             }
         }
     }
@@ -159,10 +185,36 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         let stamp = partner.as_grain().and_then(|k| self.scene.body(k)).map_or(0, |b| b.stamp);
         let now = self.scene.now;
         match found {
-            Found::Event(span) => meet(slot, (now + span).larger(from), partner, stamp),
-            Found::NotBefore(span) => meet(slot, now + span, Partner::NOTHING, 0),
+            Found::Event(span) => self.meet(slot, (now + span).larger(from), partner, stamp),
+            Found::NotBefore(span) => self.meet(slot, now + span, Partner::NOTHING, 0),
             Found::Nothing => {}
         }
+    }
+
+    /// Keeps the earlier meeting, of equal ones the faster. NaN and infinity never win, nor what lies
+    /// beyond the instants that there are.
+    ///
+    /// With nothing it is no meeting but a look again.
+    #[inline]
+    fn meet(&self, slot: &mut Slot<S>, time: S, partner: Partner, stamp: u32) {
+        let sooner = time < slot.meeting || time == slot.meeting && self.is_first(slot, partner);
+        if sooner && time <= S::LAST {
+            let kind = if partner == Partner::NOTHING { Kind::Wander } else { Kind::Meet };
+            let face = Slot::<S>::NO_FACE;
+            *slot = Slot { time, meeting: time, partner, stamp, kind, face };
+        }
+    }
+
+    /// Whether of two meetings at one instant that with this partner is the faster, or of equals that with
+    /// the lower number: in which order neighbours are visited does not matter.
+    #[cold]
+    fn is_first(&self, slot: &Slot<S>, partner: Partner) -> bool {
+        let speed = |with| order::closing_speed(self.scene, (self.grain, with), slot.meeting);
+        if partner == Partner::NOTHING || slot.partner == Partner::NOTHING {
+            return partner.word() < slot.partner.word();
+        }
+        let [new, old] = [partner, slot.partner].map(speed);
+        new > old || new == old && partner.word() < slot.partner.word()
     }
 
     /// The first of the meeting, what the grain does by itself, and its way out of reach.
@@ -172,7 +224,7 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         if self.own.time <= slot.time && self.own.kind != Kind::Nothing {
             slot = self.own;
         }
-        if self.wander.time < slot.time {
+        if self.wander.time < slot.time && self.wander.time <= S::LAST {
             let Slot { time, kind, face, .. } = self.wander;
             slot = Slot { time, kind, face, ..meeting };
         }
@@ -208,17 +260,4 @@ pub(crate) fn is_stale<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, slot:
 /// would collapse as hard ones do.
 fn not_before<S: Scalar, const D: usize>(body: &Body<S, D>) -> S {
     if body.in_contact() { body.moment } else { S::zero() }
-}
-
-/// Keeps the earlier meeting; of equal ones the lower partner, so that the order in which neighbours are
-/// visited does not matter. NaN and infinity never win, nor what lies beyond the instants that there are.
-///
-/// With nothing it is no meeting but a look again.
-#[inline]
-fn meet<S: Scalar>(slot: &mut Slot<S>, time: S, partner: Partner, stamp: u32) {
-    let tie = time == slot.meeting && partner.word() < slot.partner.word();
-    if (time < slot.meeting || tie) && time <= S::LAST {
-        let kind = if partner == Partner::NOTHING { Kind::Wander } else { Kind::Meet };
-        *slot = Slot { time, meeting: time, partner, stamp, kind, face: Slot::<S>::NO_FACE };
-    }
 }

@@ -228,7 +228,7 @@ impl<S: Scalar, const D: usize> Scene<'_, S, D> {
         let cell = self.cells.grid.as_ref().map_or(0, |grid| grid.locate(&inside));
         self.free_of_planes(&me, position, except) && {
             let mut free = true;
-            self.cells.near(cell, |k, _| {
+            self.cells.near(cell, |k| {
                 let other = self.body(k).filter(|_| k != grain && Partner::grain(k) != except);
                 free &= other.is_none_or(|other| self.free_of(&me, position, other));
             });

@@ -100,7 +100,7 @@ fn supports<S: Scalar, const D: usize>(
             let _ = supports.push(plane.normal);
         }
     }
-    scene.cells.near(body.cell, |k, _| {
+    scene.cells.near(body.cell, |k| {
         let at_rest = |other: &&Body<S, D>| k != i && Some(k) != not && stands(*other);
         if scene.body(k).filter(at_rest).is_none() {
             return;

@@ -93,6 +93,11 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
         &self.planes
     }
 
+    /// Whether no axis is periodic.
+    pub(crate) fn is_open(&self) -> bool {
+        self.length.iter().all(|&length| length == S::zero())
+    }
+
     /// The periodic axes and their numbers.
     pub fn periodic_axes(&self) -> impl Iterator<Item = (usize, Periodic<S>)> + '_ {
         (0..D).filter_map(|axis| self.periodic(axis).map(|p| (axis, p)))

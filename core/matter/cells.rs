@@ -1,10 +1,13 @@
 //! Who is near whom? Linked lists of grains in the cells of a grid, in borrowed memory; reads cells, writes lists.
 
-use super::grid::{Grid, NOWHERE, Step, Stride};
-use crate::number::{Scalar, Vector};
+use super::grid::{Grid, MOST_AXES, NOWHERE, Steps, Stride};
+use crate::number::Scalar;
 
 /// The end of a list.
-const END: u32 = u32::MAX;
+const END: u32 = u32::MAX >> 1;
+
+/// A bit of the head of a list with more than one grain.
+const MORE: u32 = 1 << 31;
 
 /// Before and after in the list of a grain's cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +56,8 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     #[expect(clippy::cast_possible_truncation, reason = "setup refuses more than MOST_GRAINS")]
     pub fn insert(&mut self, grain: usize, cell: u32) {
         let Some(head) = self.heads.get_mut(cell as usize) else { return };
-        let next = core::mem::replace(head, grain as u32);
+        let next = *head & !MORE;
+        *head = grain as u32 | if next == END { 0 } else { MORE };
         if let Some(link) = self.links.get_mut(next as usize) {
             link.previous = grain as u32;
         }
@@ -68,104 +72,166 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         if let Some(link) = self.links.get_mut(next as usize) {
             link.previous = previous;
         }
-        match self.links.get_mut(previous as usize) {
-            Some(link) => link.next = next,
-            None => {
-                if let Some(head) = self.heads.get_mut(cell as usize) {
-                    *head = next;
-                }
-            }
+        if let Some(link) = self.links.get_mut(previous as usize) {
+            link.next = next;
+        }
+        if let Some(head) = self.heads.get_mut(cell as usize) {
+            let first = if previous == END { next } else { *head & !MORE };
+            let after = self.links.get(first as usize).map_or(END, |link| link.next);
+            *head = first | if after == END { 0 } else { MORE };
         }
     }
 
-    /// Visits all grains in this cell and its neighbours, each with what must be added to separations
-    /// from it to get those of the images that are near; all grains, without it, if there is no grid.
+    /// Visits all grains in this cell and its neighbours; all grains, if there is no grid.
+    pub fn near(&self, cell: u32, mut visit: impl FnMut(usize)) {
+        self.crowds(cell, &mut |crowd: &[u32], _| {
+            crowd.iter().for_each(|&grain| visit(grain as usize));
+        });
+    }
+
+    /// The same in crowds, and whether their images are the nearest of those in this cell.
     #[inline]
-    pub fn near(&self, cell: u32, mut visit: impl FnMut(usize, Option<&Vector<S, D>>)) {
+    pub fn crowds(&self, cell: u32, visit: &mut impl FnMut(&[u32], bool)) {
         match &self.grid {
-            None => (0..self.links.len()).for_each(|grain| visit(grain, None)),
-            Some(grid) => self.within(&grid.steps(&grid.coordinates(cell)), &mut visit),
+            None => everyone(self.links.len(), visit),
+            Some(grid) => self.within(&grid.steps(&grid.coordinates(cell)), visit),
         }
     }
 
     /// The same after a grain has come into this cell: only those that were not near before.
     #[inline]
-    pub fn ahead(
-        &self,
-        cell: u32,
-        stride: Stride,
-        mut visit: impl FnMut(usize, Option<&Vector<S, D>>),
-    ) {
+    pub fn ahead(&self, cell: u32, stride: Stride, visit: &mut impl FnMut(&[u32], bool)) {
         let Some(grid) = &self.grid else { return };
-        let mut steps = grid.steps(&grid.coordinates(cell));
+        let (mut steps, straight) = grid.steps(&grid.coordinates(cell));
         if let Some([below, same, above]) = steps.get_mut(stride.axis) {
             let behind = if stride.up { below } else { above };
-            (behind.0, same.0) = (NOWHERE, NOWHERE);
+            (*behind, *same) = (NOWHERE, NOWHERE);
         }
-        self.within(&steps, &mut visit);
+        self.within(&(steps, straight), visit);
     }
 
     /// Visits the grains of the cells that these steps lead to: one of the three along each axis.
-    #[inline]
-    fn within(
-        &self,
-        steps: &[[Step<S>; 3]; D],
-        visit: &mut impl FnMut(usize, Option<&Vector<S, D>>),
-    ) {
-        let Some((along, across)) = steps.split_first() else { return };
-        let mut digits = [0_usize; D];
-        let Some((_, digits)) = digits.split_first_mut() else { return };
-        loop {
-            let (mut row, mut image) = (0_u32, Vector::<S, D>::zeros());
-            for ((step, &digit), x) in
-                across.iter().zip(&*digits).zip(image.as_mut_slice().iter_mut().skip(1))
-            {
-                let &(term, turn) = step.get(digit).unwrap_or(&(NOWHERE, S::zero()));
-                // Stays NOWHERE once it is.
-                row = row.saturating_add(term);
-                *x = turn;
+    ///
+    /// They are gathered first: a chase from grain to grain and computations with them go badly together.
+    #[inline(never)]
+    fn within(&self, (steps, straight): &([Steps; D], bool), visit: &mut impl FnMut(&[u32], bool)) {
+        let Some((&along, across)) = steps.split_first() else { return };
+        let [first, second, third] = along;
+        let side_by_side = first < NOWHERE && second == first + 1 && third == second + 1;
+        let (mut crowd, mut count) = (Crowd { grains: [END; CROWD], straight: *straight }, 0);
+        let (rows, many) = rows(across);
+        for &row in rows.iter().take(many).filter(|&&row| row < NOWHERE) {
+            if side_by_side {
+                let from = (row + first) as usize;
+                for &head in self.heads.get(from..from + 3).unwrap_or_default() {
+                    count = self.gather(head, &mut crowd, count, visit);
+                }
+                continue;
             }
-            if row != NOWHERE {
-                self.row(row, along, &mut image, visit);
-            }
-            if !next(digits) {
-                return;
+            for term in along {
+                if let Some(&head) = self.heads.get((row + term) as usize) {
+                    count = self.gather(head, &mut crowd, count, visit);
+                }
             }
         }
+        crowd.visited(count, visit);
     }
 
-    /// Visits the grains of the three cells along the first axis.
+    /// Gathers the grains of a list, without a branch on whether there is one; returns how many there are now.
     #[inline]
-    fn row(
+    fn gather(
         &self,
-        row: u32,
-        along: &[Step<S>; 3],
-        image: &mut Vector<S, D>,
-        visit: &mut impl FnMut(usize, Option<&Vector<S, D>>),
-    ) {
-        for &(term, turn) in along {
-            let cell = row.saturating_add(term) as usize;
-            let mut grain = self.heads.get(cell).map_or(END, |&head| head);
-            if let Some(x) = image.as_mut_slice().first_mut() {
-                *x = turn;
-            }
-            while grain != END {
-                visit(grain as usize, Some(image));
-                grain = self.links.get(grain as usize).map_or(END, |link| link.next);
-            }
+        head: u32,
+        crowd: &mut Crowd,
+        count: usize,
+        visit: &mut impl FnMut(&[u32], bool),
+    ) -> usize {
+        let now = crowd.put(head & !MORE, count);
+        if head & MORE != 0 || now == CROWD {
+            return self.gather_more(head, crowd, now, visit);
         }
+        now
+    }
+
+    /// Gathers all but the first of a list, and makes room.
+    #[inline(never)]
+    fn gather_more(
+        &self,
+        head: u32,
+        crowd: &mut Crowd,
+        mut count: usize,
+        visit: &mut impl FnMut(&[u32], bool),
+    ) -> usize {
+        let mut grain = head & !MORE;
+        while grain != END {
+            count = crowd.with_room(count, visit);
+            grain = self.links.get(grain as usize).map_or(END, |link| link.next);
+            count = crowd.put(grain, count);
+        }
+        crowd.with_room(count, visit)
     }
 }
 
-/// Counts on, to the base of three; false after the last number.
+/// The numbers of all rows of cells, sums of a step along each axis, and how many there are.
 #[inline]
-fn next(digits: &mut [usize]) -> bool {
-    for digit in digits {
-        *digit += 1;
-        if *digit < 3 {
-            return true;
+fn rows(across: &[Steps]) -> ([u32; 9], usize) {
+    const { assert!(MOST_AXES == 3, "nine rows are enough") };
+    let (mut rows, mut count) = ([0_u32; 9], 1);
+    for steps in across {
+        for (digit, step) in steps.iter().enumerate().rev() {
+            for row in 0..count {
+                let sum = rows.get(row).copied().unwrap_or(NOWHERE) + step;
+                if let Some(place) = rows.get_mut(digit * count + row) {
+                    *place = sum;
+                }
+            }
         }
-        *digit = 0;
+        count *= 3;
     }
-    false
+    (rows, count)
+}
+
+/// How many neighbours are visited at a time.
+pub(crate) const CROWD: usize = 32;
+
+/// Neighbours that have been gathered. How many there are is passed from call to call: it stays in a register.
+struct Crowd {
+    grains: [u32; CROWD],
+    /// Whether they are the nearest images.
+    straight: bool,
+}
+
+impl Crowd {
+    /// Puts a grain in, or nothing if it is the end of a list; returns how many there are now.
+    #[inline]
+    fn put(&mut self, grain: u32, count: usize) -> usize {
+        if let Some(place) = self.grains.get_mut(count) {
+            *place = grain;
+        }
+        count + usize::from(grain != END)
+    }
+
+    /// Makes room if there is none; returns how many there are now.
+    fn with_room(&self, count: usize, visit: &mut impl FnMut(&[u32], bool)) -> usize {
+        if count < CROWD {
+            return count;
+        }
+        self.visited(count, visit);
+        0
+    }
+
+    /// Lets all be visited.
+    #[inline(never)]
+    fn visited(&self, count: usize, visit: &mut impl FnMut(&[u32], bool)) {
+        visit(self.grains.get(..count).unwrap_or_default(), self.straight);
+    }
+}
+
+/// Visits all grains.
+#[expect(clippy::cast_possible_truncation, reason = "setup refuses more than MOST_GRAINS")]
+fn everyone(grains: usize, visit: &mut impl FnMut(&[u32], bool)) {
+    for first in (0..grains).step_by(CROWD) {
+        let numbers: [u32; CROWD] = core::array::from_fn(|i| (first + i) as u32);
+        visit(numbers.get(..CROWD.min(grains - first)).unwrap_or_default(), false);
+    }
 }

@@ -12,12 +12,14 @@ use crate::number::{Scalar, Vector};
 /// The width of a cell, if grains are far from each other, in units of the space a grain has: measured.
 const FINE: f64 = 0.8;
 
-/// There is no such cell.
-pub(super) const NOWHERE: u32 = u32::MAX;
+/// For more axes there are no grids.
+pub(super) const MOST_AXES: usize = 3;
 
-/// What the way to a neighbouring cell adds to a cell's number (`NOWHERE` if there is none), and to
-/// separations from the grains there: a box length where it goes round a periodic axis.
-pub(super) type Step<S> = (u32, S);
+/// From here on there are no cells: sums of a few such numbers do not overflow.
+pub(super) const NOWHERE: u32 = 1 << 28;
+
+/// What the three cells along an axis, below, same and above, add to a cell's number; `NOWHERE` if there is none.
+pub(super) type Steps = [u32; 3];
 
 /// The cells along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,7 +73,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         let volume: f64 = sides.iter().map(|[low, high]| (*high - *low).to_f64()).product();
         let dense = libm::pow(volume / bodies.len().max(1) as f64, 1.0 / D as f64);
         let mut width = (dense * FINE).max(1.001 * reach.to_f64());
-        if !(width > 0.0 && width.is_finite()) {
+        if !(width > 0.0 && width.is_finite()) || D > MOST_AXES {
             return None;
         }
         // Each round makes cells an eighth wider; 500 of them span any range of widths.
@@ -85,7 +87,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
             if lanes.iter().any(|lane| lane.periodic && lane.count < 4) {
                 return None;
             }
-            if cells <= most as f64 {
+            if cells <= most.min(NOWHERE as usize) as f64 {
                 return (cells >= 8.0).then(|| Self { lanes: Vector::from(lanes) });
             }
             width *= 1.125;
@@ -96,7 +98,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// Whether every lane can be counted with: a grid may have been read from a file.
     pub(super) fn is_sound(&self) -> bool {
         let sound = |l: &Lane<S>| l.count > 0 && l.count <= 1 << 20 && l.width > S::zero();
-        self.lanes.as_slice().iter().all(sound)
+        self.lanes.as_slice().iter().all(sound) && self.cells() <= NOWHERE as usize
     }
 
     /// Whether it is a grid for this box and grains of this diameter.
@@ -156,19 +158,18 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         at
     }
 
-    /// For each axis, the steps to the cell below, the same and the one above.
+    /// For each axis, the steps to the cell below, the same and the one above; and whether none of them
+    /// goes round a periodic axis.
     #[inline]
-    pub(super) fn steps(&self, at: &[u32; D]) -> [[Step<S>; 3]; D] {
-        let (mut scale, zero) = (1, S::zero());
-        let mut steps = [[(NOWHERE, zero); 3]; D];
+    pub(super) fn steps(&self, at: &[u32; D]) -> ([Steps; D], bool) {
+        let (mut scale, mut straight, mut steps) = (1, true, [[NOWHERE; 3]; D]);
         for ((step, &c), lane) in steps.iter_mut().zip(at).zip(self.lanes.as_slice().iter()) {
-            let to = |c: Option<u32>, turn| c.map_or((NOWHERE, zero), |c| (c * scale, turn));
-            let first = if c == 0 { lane.length } else { zero };
-            let last = if c + 1 == lane.count { -lane.length } else { zero };
-            *step = [to(lane.below(c), first), (c * scale, zero), to(lane.above(c), last)];
+            let to = |c: Option<u32>| c.map_or(NOWHERE, |c| c * scale);
+            *step = [to(lane.below(c)), c * scale, to(lane.above(c))];
+            straight &= !lane.periodic || (c > 0 && c + 1 < lane.count);
             scale *= lane.count;
         }
-        steps
+        (steps, straight)
     }
 
     /// The number of the cell with these coordinates.

@@ -84,8 +84,23 @@ macro_rules! float {
             fn bits(self) -> u64 {
                 u64::from(self.to_bits())
             }
+            fn to_count(self) -> u32 {
+                // A cast from float saturates, and NaN gives 0.
+                self as u32
+            }
             fn to_ticks(self) -> i128 {
-                (f64::from(self) * TICKS_PER_UNIT) as i128
+                // As (self · 2⁶⁴) as i128, which without a unit for f64 is much dearer.
+                let bits = self.to_bits();
+                let exponent = (bits >> $mantissa) & (<$bits>::MAX >> ($mantissa + 1));
+                let mantissa = bits & ((1 << $mantissa) - 1) | (1 << $mantissa);
+                let shift = exponent as i32 - (<$t>::MAX_EXP - 1) - $mantissa + 64;
+                let size = match shift {
+                    0.. if self.is_nan() => 0,
+                    0.. if shift + $mantissa >= 127 => i128::MAX,
+                    0.. => i128::from(mantissa) << shift,
+                    _ => i128::from(mantissa.checked_shr(-shift as u32).unwrap_or(0)),
+                };
+                if self < 0.0 { -size } else { size }
             }
             fn from_ticks(ticks: i128) -> Self {
                 // Whole and fractional part apart would round twice; one conversion rounds once.
@@ -109,6 +124,24 @@ mod tests {
             let y = x.inverse_fifth_root();
             let back = y * y * y * y * y * x;
             assert!((back - 1.0).abs() < 5e-15, "{x}: {back}");
+        }
+    }
+
+    proptest::proptest! {
+        /// The cast is the definition; it, too, cuts off and saturates.
+        #[test]
+        fn ticks_are_those_of_the_cast(bits: u64) {
+            let (x, y) = (f64::from_bits(bits), f32::from_bits(bits as u32));
+            let cast = |x: f64| ((x * TICKS_PER_UNIT) as i128).max(-i128::MAX);
+            proptest::prop_assert_eq!(x.to_ticks(), cast(x));
+            proptest::prop_assert_eq!(y.to_ticks(), cast(f64::from(y)));
+        }
+
+        #[test]
+        fn ticks_of_plain_spans_are_those_of_the_cast(x in -1e6_f64..1e6) {
+            let cast = |x: f64| (x * TICKS_PER_UNIT) as i128;
+            proptest::prop_assert_eq!(x.to_ticks(), cast(x));
+            proptest::prop_assert_eq!((x as f32).to_ticks(), cast(f64::from(x as f32)));
         }
     }
 

@@ -120,7 +120,7 @@ pub(super) fn overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Re
     });
     for (a, body) in scene.bodies.iter().enumerate() {
         let mut checked = Ok(());
-        scene.cells.near(body.cell, |b, _| {
+        scene.cells.near(body.cell, |b| {
             if let Some(other) = scene.body(b).filter(|_| b < a && checked.is_ok()) {
                 let apart = scene.separation(body, other);
                 let gap = norm(&apart) - (body.radius + other.radius);

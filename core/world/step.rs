@@ -61,7 +61,14 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         if asked < now {
             return Err(Fault::Past { asked, now });
         }
-        while self.step_until(asked.span_since(self.scene.epoch), watch)?.is_some() {}
+        let mut epoch = self.scene.epoch;
+        let mut limit = asked.span_since(epoch);
+        while self.step_until(limit, watch)?.is_some() {
+            if self.scene.epoch != epoch {
+                epoch = self.scene.epoch;
+                limit = asked.span_since(epoch);
+            }
+        }
         loop {
             let span: S = asked.span_since(self.scene.epoch);
             self.scene.now = self.scene.now.larger(span.smaller(S::LATE));
@@ -168,7 +175,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         for &grain in &affected.woken {
             let cell = self.scene.body(grain).map_or(0, |body| body.cell);
             let (scene, queue) = (&self.scene, &mut self.queue);
-            scene.cells.near(cell, |k, _| {
+            scene.cells.near(cell, |k| {
                 if support::lies_on(scene, k, grain) {
                     queue.set(k, Slot::alone(scene.now, Kind::Check));
                 }
@@ -179,14 +186,14 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
 
     /// Whether a grain can still be computed with: now, too, if its number type has a range to leave.
     fn still_a_number(&self, grain: usize) -> Result<(), Fault> {
-        let (scene, at) = (&self.scene, self.now());
+        let scene = &self.scene;
         let broken = match S::RANGE {
             Some(_) => apply::broken(&scene.present(grain)),
             None => scene.body(grain).and_then(apply::broken),
         };
         match (broken, S::RANGE) {
             (None, _) => Ok(()),
-            (Some(field), None) => Err(Fault::NotFinite { grain, field, at }),
+            (Some(field), None) => Err(Fault::NotFinite { grain, field, at: self.now() }),
             (Some(field), Some(most)) => {
                 Err(Fault::overflow(Subject::Grain(grain), field, most.to_f64()))
             }

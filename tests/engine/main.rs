@@ -7,6 +7,7 @@ mod faults;
 mod fixed;
 mod gas;
 mod neighbours;
+mod piles;
 mod plates;
 mod range;
 mod rest;

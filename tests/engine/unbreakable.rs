@@ -199,3 +199,19 @@ fn hostile_snapshots_are_refused() {
         assert!(restored.is_err() || old.contains("cell"), "{new}");
     }
 }
+
+/// Found by a property test: in such a box the next look around was after the last instant.
+#[test]
+fn a_box_too_large_to_cross_is_never_crossed() {
+    let mut memory = Memory::<f64, 2, 1>::new();
+    let mut world = World::setup(&mut memory)
+        .gravity([0.0, 0.7])
+        .periodic([[-3.0e243, 3.0e243]; 2])
+        .rule(HardSphere { restitution: 1.0 })
+        .grain(Grain::with_mass(0.5, 1.0))
+        .unwrap()
+        .start()
+        .unwrap();
+    assert_eq!(world.step().unwrap(), None);
+    assert!(world.grain(0).unwrap().position.iter().all(|x| x.is_finite()));
+}

@@ -6,4 +6,6 @@ mod fig6;
 mod fluid;
 mod haff;
 mod l94;
+mod mp13;
+mod shaken;
 mod soak;

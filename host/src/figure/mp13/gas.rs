@@ -1,4 +1,4 @@
-//! How often does eMD* make an exception in a gas of soft spheres? Reads packing fraction and material; runs it, writes counts (MP13 Sec. VI B 6).
+//! What is MP13's gas of soft spheres? Reads packing fraction and material; runs it by eMD*, writes how often it makes exceptions (MP13 Sec. VI B 6).
 
 use crate::figure::hard::Fluid;
 use crate::storage::Storage;
@@ -9,11 +9,13 @@ use carom::{Counters, Grain, World};
 use carom_tables::Law;
 use std::f64::consts::{PI, SQRT_2};
 
-const RADIUS: f64 = 0.1;
+/// R.
+pub const RADIUS: f64 = 0.1;
 const MATERIAL_DENSITY: f64 = 1140.0;
-const POISSON: f64 = 0.4;
+/// ν.
+pub const POISSON: f64 = 0.4;
 /// Of each component of the velocity: a thermal velocity √(2 kT/m) of 2 m/s.
-const SPEED: f64 = SQRT_2;
+pub const SPEED: f64 = SQRT_2;
 /// Elastic collisions of each grain, as hard spheres, before the gas is made soft.
 const EQUILIBRATION: u64 = 4;
 
@@ -31,6 +33,8 @@ pub struct SoftGas {
     pub young: f64,
     /// Dissipative parameter A.
     pub dissipation: f64,
+    /// Of the velocities at the start.
+    pub seed: u64,
 }
 
 /// What was counted.
@@ -50,16 +54,42 @@ impl Counted {
     }
 }
 
+/// The mass of a grain.
+pub fn mass() -> f64 {
+    MATERIAL_DENSITY * 4.0 / 3.0 * PI * RADIUS.powi(3)
+}
+
 impl SoftGas {
     fn fluid(&self) -> Fluid {
-        Fluid::elastic(self.grains, 6.0 * self.packing / PI)
+        let fluid = Fluid::elastic(self.grains, 6.0 * self.packing / PI);
+        Fluid { seed: self.seed, ..fluid }
     }
 
-    fn start(&self) -> Result<Vec<Grain<f64, 3>>> {
-        let mass = MATERIAL_DENSITY * 4.0 / 3.0 * PI * RADIUS.powi(3);
+    /// The edge of the box, which is centred at 0.
+    pub fn edge(&self) -> f64 {
+        2.0 * RADIUS * self.fluid().length::<3>()
+    }
+
+    /// The force law.
+    pub const fn law(&self) -> Viscoelastic<f64> {
+        let Self { young, dissipation, .. } = *self;
+        Viscoelastic { young, poisson: POISSON, dissipation }
+    }
+
+    /// What grains do by eMD*: the wide table, and hard spheres outside of it.
+    pub fn rule(&self) -> Soft<Viscoelastic<f64>> {
+        let table = embedded(Size::Wide, Law::Viscoelastic);
+        Soft::with_table(self.law(), table, Outside::HardSphere)
+    }
+
+    /// Grains in equilibrium, as hard spheres.
+    ///
+    /// # Errors
+    /// What the engine says.
+    pub fn start(&self) -> Result<Vec<Grain<f64, 3>>> {
         let soft = |grain: &Grain<f64, 3>| {
             let (at, v) = (grain.position * (2.0 * RADIUS), grain.velocity * SPEED);
-            Grain::with_mass(RADIUS, mass).at([at[0], at[1], at[2]]).moving([v[0], v[1], v[2]])
+            Grain::with_mass(RADIUS, mass()).at([at[0], at[1], at[2]]).moving([v[0], v[1], v[2]])
         };
         Ok(self.fluid().equilibrium::<3>(EQUILIBRATION)?.iter().map(soft).collect())
     }
@@ -69,19 +99,14 @@ impl SoftGas {
     /// # Errors
     /// What the engine says.
     pub fn count(&self, collisions: u64) -> Result<Counted> {
-        let Self { grains, young, dissipation, .. } = *self;
-        let law = Viscoelastic { young, poisson: POISSON, dissipation };
-        let rule =
-            Soft::with_table(law, embedded(Size::Wide, Law::Viscoelastic), Outside::HardSphere);
-        let half = RADIUS * self.fluid().length::<3>();
-        let mut storage = Storage::<f64, 3>::new(grains);
-        let setup = World::setup(&mut storage).periodic([[-half, half]; 3]).rule(rule);
+        let half = 0.5 * self.edge();
+        let mut storage = Storage::<f64, 3>::new(self.grains);
+        let setup = World::setup(&mut storage).periodic([[-half, half]; 3]).rule(self.rule());
         let mut world = setup.grains(self.start()?)?.start()?;
         while world.counters().collisions < collisions {
             world.step()?.context("no grain will ever meet another")?;
         }
-        let mass = MATERIAL_DENSITY * 4.0 / 3.0 * PI * RADIUS.powi(3);
-        let energy = world.view().kinetic_energy() / (grains as f64 * mass);
+        let energy = world.view().kinetic_energy() / (self.grains as f64 * mass());
         Ok(Counted { counters: *world.counters(), thermal_velocity: (4.0 / 3.0 * energy).sqrt() })
     }
 }

@@ -10,7 +10,7 @@ impl<const D: usize> Verlet<D> {
         self.touching.swap(0, 1);
         self.touching[1].clear();
         self.pushes.clear();
-        self.pushed = false;
+        (self.pushed, self.virial[0]) = (false, 0.0);
         self.push_pairs(h);
         self.push_walls(h);
         self.counters.distances += (self.near.pairs.len() + self.near.walls.len()) as u64;
@@ -46,6 +46,7 @@ impl<const D: usize> Verlet<D> {
         let law = self.law.pair([self.radii[i], self.radii[j]], [self.masses[i], self.masses[j]]);
         let rate = -dot(&v, &normal);
         let push = law.force_until(pair.reach - distance, rate, self.end);
+        self.virial[0] += push * distance;
         let mut force = normal.map(|n| push * n);
         if law.tangential > 0.0 && push != 0.0 {
             force = plus(&force, -law.tangential, &plus(&v, rate, &normal));

@@ -96,6 +96,8 @@ pub struct Verlet<const D: usize> {
     fastest: f64,
     touching: [Vec<u64>; 2],
     pushes: Vec<Push<D>>,
+    /// Σ r·F of the pairs in contact now, and its integral over time.
+    virial: [f64; 2],
     counters: Counters,
     now: f64,
     /// The time of the positions, also between two full steps.
@@ -151,6 +153,7 @@ impl<const D: usize> Verlet<D> {
             fastest: 0.0,
             touching: [Vec::new(), Vec::new()],
             pushes: Vec::new(),
+            virial: [0.0; 2],
             counters: Counters::default(),
             now: 0.0,
             clock: 0.0,
@@ -187,6 +190,12 @@ impl<const D: usize> Verlet<D> {
     /// What the run has cost so far.
     pub fn counters(&self) -> Counters {
         self.counters
+    }
+
+    /// ∫ Σ r·F dt over all pairs since the start, r = r_i − r_j and F on grain i (J s): D V times the
+    /// contacts' share of the pressure, summed over time.
+    pub fn virial(&self) -> f64 {
+        self.virial[1]
     }
 
     /// Where grain i is; in a periodic box, some image of it near the box.
@@ -241,6 +250,7 @@ impl<const D: usize> Steps<D> for Verlet<D> {
             self.drift(h);
             let shrunk = self.used > self.skin && self.prepare();
             self.push_all(h);
+            self.virial[1] += h * self.virial[0];
             self.counters.steps += 1;
             if done == count || shrunk || !self.fastest.is_finite() {
                 self.kick(0.5 * h);
