@@ -157,7 +157,8 @@ fn a_strongly_shaken_column() {
     for agitation in strong {
         let theory = fig7::theory(agitation);
         let ratio = |method: &str, beads: usize| {
-            let periods = fig7::periods(method, beads, agitation, true);
+            let share = if method == "MD" { 2 } else { 1 };
+            let periods = share * fig7::periods(method, beads, agitation, true);
             risen(method, beads, agitation, periods).unwrap().map(|h| h / theory)
         };
         let (md, ed, many) = (ratio("MD", BEADS), ratio("ED", BEADS), ratio("ED", MANY));
