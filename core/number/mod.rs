@@ -11,6 +11,8 @@
 mod fixed;
 mod float;
 mod instant;
+#[cfg(feature = "micromath")]
+pub mod quick;
 
 pub use carom_tables::Real;
 #[cfg(feature = "fixed")]

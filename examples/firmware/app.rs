@@ -1,7 +1,6 @@
 //! What does the firmware of every family do? The tilt box and its measurements; reads a chip, writes text.
 
-use carom::law::tables::{Embedded, Table};
-use carom::number::I32F32;
+use carom::law::tables::Table;
 use carom::{Fault, Memory, World};
 use carom_scenes::Number;
 use carom_scenes::measure::{self, Cost};
@@ -19,7 +18,7 @@ pub fn tilt_box<S: Number>(
     table: &'static Table<S::Stored>,
     board: &mut impl Board,
 ) -> Result<(), Fault> {
-    let mut memory = Memory::<S, 2, GRAINS>::new();
+    let mut memory = tilt::memory::<S>();
     let mut world = tilt::tilt_box(&mut memory, table)?;
     tilt::play(&mut world, board)?;
     board.write(&tilt::hexadecimal(world.digest()));
@@ -27,44 +26,50 @@ pub fn tilt_box<S: Number>(
     Ok(())
 }
 
-/// The steps of the force-based run in a millisecond.
-const STEPS: u32 = 100;
-/// How many readings of the accelerometer it runs for.
-const STEPPED: u32 = 4;
+/// Steps of the force-based run, and the reading after which it begins.
+const STEPS: u32 = 10_000;
+const BEGIN: u32 = 8;
 
-/// Measures everything, one line for each number.
-pub fn measure_all(paint: usize, board: &mut impl Board) {
-    measure::<f32>("f32 standard", f32::viscoelastic(), paint, board);
-    measure::<f32>("f32 compact", f32::compact(), paint, board);
-    measure::<I32F32>("I32F32 standard", I32F32::viscoelastic(), paint, board);
-    measure::<I32F32>("I32F32 compact", I32F32::compact(), paint, board);
-    let md = measure::stepped::<f32>(STEPS, STEPPED, board);
-    println!("f32 md instructions {}", md * u64::from(READINGS / STEPPED));
+/// Measures the tilt box with each of these tables and by MD, one line for each number.
+pub fn measure_all<S: Number>(
+    tables: &[(&str, &'static Table<S::Stored>)],
+    stack: usize,
+    board: &mut impl Board,
+) {
+    println!("memory {}", size_of::<Memory<S, 2, GRAINS>>());
+    println!("world {}", size_of::<World<'_, S, 2, Rubber<S>>>());
+    for (name, table) in tables {
+        measure::<S>(name, table, stack, board);
+        println!("{name}.lookup {}", measure::lookup::<S>(table, board));
+    }
+    match measure::stepped::<S>(S::compact(), BEGIN, STEPS, board) {
+        Ok(instructions) => println!("md {instructions}"),
+        Err(fault) => println!("md.fault {fault}"),
+    }
 }
 
-/// Measures the tilt box with one table in one number type.
+/// Measures the tilt box with one table.
+#[inline(never)]
 fn measure<S: Number>(
     name: &str,
     table: &'static Table<S::Stored>,
-    paint: usize,
+    stack: usize,
     board: &mut impl Board,
 ) {
-    let mut memory = Memory::<S, 2, GRAINS>::new();
-    println!("{name} memory {}", size_of_val(&memory));
-    println!("{name} world {}", size_of::<World<'_, S, 2, Rubber<S>>>());
-    let painted = Painted::new(paint);
+    let mut memory = tilt::memory::<S>();
+    let painted = Painted::new(stack);
     let run = measure::event_driven::<S>(&mut memory, table, READINGS, board);
     match painted.used() {
-        Some(bytes) => println!("{name} stack {bytes}"),
-        None => println!("{name} stack more than {paint}"),
+        Some(bytes) => println!("{name}.stack {bytes}"),
+        None => println!("{name}.stack null"),
     }
     match run {
-        Ok(Cost { instructions, collisions, digest }) => {
-            println!("{name} collisions {collisions}");
-            println!("{name} instructions {instructions}");
-            println!("{name} digest {digest:016x}");
+        Ok(Cost { instructions, collisions, outside, digest }) => {
+            println!("{name}.collisions {collisions}");
+            println!("{name}.instructions {instructions}");
+            println!("{name}.outside {outside}");
+            println!("{name}.digest {digest:016x}");
         }
-        Err(fault) => println!("{name} fault {fault}"),
+        Err(fault) => println!("{name}.fault {fault}"),
     }
-    println!("{name} lookup {}", measure::lookup::<S>(table, board));
 }

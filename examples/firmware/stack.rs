@@ -10,6 +10,9 @@ const PAINT: u32 = 0xCCCC_CCCC;
 /// Below the caller's frame this much is left alone: the frames of these functions.
 const MARGIN: usize = 256;
 
+/// More is not painted.
+const MOST: usize = 32 * 1024;
+
 /// The painted part of the stack.
 pub struct Painted {
     low: usize,
@@ -17,14 +20,15 @@ pub struct Painted {
 }
 
 impl Painted {
-    /// Paints this many bytes of free stack below the caller.
+    /// Paints the free stack below the caller down to this address, but not more than 32 KiB of it.
     ///
-    /// There must be that much: the linker scripts of this package leave all RAM below to the stack.
+    /// There must be nothing else: the linker scripts of this package leave all RAM above static data to
+    /// the stack.
     #[inline(never)]
-    pub fn new(bytes: usize) -> Self {
+    pub fn new(lowest: usize) -> Self {
         let here = 0_u32;
         let high = ((&raw const here).addr() - MARGIN) & !3;
-        let low = high - bytes;
+        let low = high.saturating_sub(MOST).max(lowest).min(high);
         for at in (low..high).step_by(4) {
             // SAFETY: RAM below the stack pointer and this function's frame, which no value owns; aligned.
             unsafe { ptr::with_exposed_provenance_mut::<u32>(at).write_volatile(PAINT) };

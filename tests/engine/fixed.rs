@@ -5,18 +5,18 @@ use carom::law::tables::Embedded;
 use carom::law::{HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
 use carom::matter::{Plane, Surface, Vibration};
 use carom::number::{I16F16, I32F32, Real, Vector};
-use carom::{Fault, Grain, Instant, Memory, Scalar, View, World};
+use carom::{Grain, Memory, Scalar, View, World};
 use proptest::prelude::*;
 
 /// Half a step of I32F32.
 const HALF: f64 = 1.0 / 8_589_934_592.0;
 
-fn n<S: Scalar>(x: f64) -> S {
+pub(crate) fn n<S: Scalar>(x: f64) -> S {
     S::from_f64(x)
 }
 
 /// Rubber balls in millimetres, milligrams and milliseconds: Y = 5 MPa, A = 0.02 ms.
-fn rubber<S: Scalar>() -> Viscoelastic<S> {
+pub(crate) fn rubber<S: Scalar>() -> Viscoelastic<S> {
     Viscoelastic { young: n(5000.0), poisson: n(0.4), dissipation: n(0.02) }
 }
 
@@ -219,102 +219,6 @@ fn a_column_on_a_vibrating_plate_runs() {
         assert!(x > order + 0.45, "grain {i} is at {x}");
         order = x;
     }
-}
-
-/// The quantity that a fault names.
-fn named(fault: &Fault) -> &'static str {
-    match fault {
-        Fault::Overflow { quantity, .. } => quantity,
-        other => panic!("{other}"),
-    }
-}
-
-#[test]
-fn what_does_not_fit_is_named_with_the_unit_to_choose() {
-    let start = |grain: Grain<I32F32, 1>, rule: Viscoelastic<I32F32>, wall: f64| {
-        let mut memory = Memory::<I32F32, 1, 2>::new();
-        let mut world = World::setup(&mut memory)
-            .plane(Plane::new([n(1.0)], n(wall), Surface::Rule))
-            .gravity([n(-9.81)])
-            .rule(Soft::viscoelastic(rule, Outside::HardSphere))
-            .grain(grain)?
-            .start()?;
-        for _ in 0..100 {
-            world.step()?;
-        }
-        Ok(())
-    };
-    let grain = Grain::with_mass(n(1.0), n(1.0));
-    let falls = grain.at([n(2.0)]);
-    assert_eq!(start(falls, rubber(), 0.0), Ok(()));
-    let cases = [
-        (falls.moving([n(3e8)]), rubber(), "velocity", "larger unit of length"),
-        (grain.at([n(1e12)]), rubber(), "position", "larger unit of length"),
-        (Grain::with_mass(n(1.0), n(4e9)).at([n(2.0)]), rubber(), "mass", "larger unit of mass"),
-        (falls, Viscoelastic { young: n(5e9), ..rubber() }, "young", "smaller unit of time"),
-        (
-            Grain::with_mass(n(1.0), n(1e-3)).at([n(2.0)]),
-            Viscoelastic { young: n(2e9), ..rubber() },
-            "stiffness over mass",
-            "smaller unit of time",
-        ),
-    ];
-    for (grain, rule, quantity, unit) in cases {
-        let fault: Fault = start(grain, rule, 0.0).unwrap_err();
-        let text = fault.to_string();
-        assert_eq!(named(&fault), quantity, "{text}");
-        assert!(text.contains(unit), "{text}");
-    }
-}
-
-#[test]
-fn a_grain_that_leaves_the_range_is_a_fault_not_a_wrap() {
-    let mut memory = Memory::<I16F16, 2, 1>::new();
-    let mut world = World::setup(&mut memory)
-        .gravity([n(0.0), n(-0.01)])
-        .rule(HardSphere { restitution: n(1.0) })
-        .grain(Grain::with_mass(n(1.0), n(1.0)).moving([n(0.5), n(0.0)]))
-        .unwrap()
-        .start()
-        .unwrap();
-    // y = −t²/200 is −4096, an eighth of the range, at t = 905.
-    let fault = (1..100).find_map(|k| world.advance_to(n::<I16F16>(50.0 * f64::from(k))).err());
-    let fault = fault.unwrap();
-    assert_eq!(named(&fault), "position", "{fault}");
-    let now = world.now().as_f64();
-    assert!(now > 900.0 && now < 2_600.0, "{now}");
-}
-
-#[test]
-fn a_meeting_far_beyond_the_clock_s_range_comes_at_its_time() {
-    // One step of speed is 2⁻¹⁶, so a gap of 3 takes 196,608 units, six times what the clock can count.
-    let mut memory = Memory::<I16F16, 1, 2>::new();
-    let mut world = World::setup(&mut memory)
-        .rule(HardSphere { restitution: n(1.0) })
-        .grain(Grain::with_mass(n(1.0), n(1.0)).moving([I16F16::DELTA]))
-        .unwrap()
-        .grain(Grain::with_mass(n(1.0), n(1.0)).at([n(5.0)]))
-        .unwrap()
-        .start()
-        .unwrap();
-    world.advance_to(Instant::from(196_600.0_f64)).unwrap();
-    assert_eq!(world.counters().collisions, 0);
-    world.advance_to(Instant::from(196_616.0_f64)).unwrap();
-    assert_eq!(world.counters().collisions, 1, "{:?}", world.counters());
-}
-
-#[test]
-fn a_world_at_rest_can_wait_for_ever() {
-    let mut memory = Memory::<I32F32, 1, 1>::new();
-    let mut world = World::setup(&mut memory)
-        .rule(HardSphere { restitution: n(1.0) })
-        .grain(Grain::with_mass(n(1.0), n(1.0)))
-        .unwrap()
-        .start()
-        .unwrap();
-    assert_eq!(world.next_event_time(), None);
-    world.advance_to(Instant::from(1e12_f64)).unwrap();
-    assert_eq!(world.now(), Instant::from(1e12_f64));
 }
 
 /// A multiple of a step that is a float as well.

@@ -9,6 +9,7 @@ mod gas;
 mod neighbours;
 mod piles;
 mod plates;
+mod range;
 mod rest;
 mod rooms;
 mod saved;

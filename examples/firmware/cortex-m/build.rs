@@ -1,20 +1,28 @@
-//! Which memory has this target's board? Reads the target; writes memory.x for the linker.
+//! Which memory has the board of each image? Reads the target; writes memory.x for the linker, one for each board.
 
 use std::error::Error;
 use std::path::PathBuf;
 
+/// Arm MPS2 with the image AN385 (Cortex-M3) or AN386 (Cortex-M4F).
+const MPS2: &str =
+    "MEMORY { FLASH : ORIGIN = 0x00000000, LENGTH = 4M  RAM : ORIGIN = 0x20000000, LENGTH = 4M }";
+/// BBC micro:bit (nRF51822).
+const MICROBIT: &str = "MEMORY { FLASH : ORIGIN = 0x00000000, LENGTH = 256K  RAM : ORIGIN = 0x20000000, LENGTH = 16K }";
+
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    let target = std::env::var("TARGET")?;
-    let memory = if target.starts_with("thumbv6m") {
-        // BBC micro:bit (nRF51822).
-        "MEMORY { FLASH : ORIGIN = 0x00000000, LENGTH = 256K  RAM : ORIGIN = 0x20000000, LENGTH = 16K }"
-    } else {
-        // Arm MPS2 with the image AN386.
-        "MEMORY { FLASH : ORIGIN = 0x00000000, LENGTH = 4M  RAM : ORIGIN = 0x20000000, LENGTH = 4M }"
-    };
+    let small = std::env::var("TARGET")?.starts_with("thumbv6m");
     let out = PathBuf::from(std::env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?);
-    std::fs::write(out.join("memory.x"), memory)?;
-    println!("cargo::rustc-link-search={}", out.display());
+    // A micro:bit does not hold all scenes with all tables in three number types.
+    for (image, memory) in [
+        ("replay", MPS2),
+        ("tilt_box", if small { MICROBIT } else { MPS2 }),
+        ("measure", if small { MICROBIT } else { MPS2 }),
+    ] {
+        let directory = out.join(image);
+        std::fs::create_dir_all(&directory)?;
+        std::fs::write(directory.join("memory.x"), memory)?;
+        println!("cargo::rustc-link-arg-bin={image}=-L{}", directory.display());
+    }
     Ok(())
 }

@@ -1,19 +1,24 @@
-//! What does the tilt box do on this machine? Reads the script; shows frames, the last digest and what a run takes.
+//! What does the tilt box do on this machine? Reads the script; shows frames and the last digest, and the counters in each number type.
 
 use std::io::Write;
 
-use carom::law::tables;
-use carom::{Fault, Memory};
-use carom_scenes::measure;
-use carom_scenes::tilt::{self, Board, GRAINS, READINGS};
+use carom::Fault;
+use carom::law::tables::{Embedded, Table};
+use carom::number::I32F32;
+use carom_scenes::Number;
+use carom_scenes::tilt::{self, Board};
 
 /// A terminal: it never sleeps, and counts nothing.
-struct Terminal;
+struct Terminal {
+    shown: bool,
+}
 
 impl Board for Terminal {
     fn write(&mut self, text: &[u8]) {
-        // There is nobody to tell if the terminal is gone.
-        let _ = std::io::stdout().write_all(text);
+        if self.shown {
+            // There is nobody to tell if the terminal is gone.
+            let _ = std::io::stdout().write_all(text);
+        }
     }
     fn sleep_until(&mut self, _milliseconds: f64) {}
     fn instructions(&mut self) -> u64 {
@@ -21,12 +26,18 @@ impl Board for Terminal {
     }
 }
 
-fn main() -> Result<(), Fault> {
-    let mut memory = Memory::<f32, 2, GRAINS>::new();
-    let mut world = tilt::tilt_box(&mut memory, tables::viscoelastic())?;
-    tilt::play(&mut world, &mut Terminal)?;
-    println!("{:016x} {:?}", world.digest(), world.counters());
-    let cost = measure::event_driven(&mut memory, tables::viscoelastic(), READINGS, &mut Terminal)?;
-    println!("{cost:?}");
+fn played<S: Number>(table: &'static Table<S::Stored>, shown: bool) -> Result<(), Fault> {
+    let mut memory = tilt::memory::<S>();
+    let mut world = tilt::tilt_box(&mut memory, table)?;
+    tilt::play(&mut world, &mut Terminal { shown })?;
+    println!("{} {:016x} {:?}", S::NAME, world.digest(), world.counters());
     Ok(())
+}
+
+fn main() -> Result<(), Fault> {
+    played::<f32>(f32::viscoelastic(), true)?;
+    played::<f32>(f32::compact(), false)?;
+    played::<f64>(f64::viscoelastic(), false)?;
+    played::<I32F32>(I32F32::viscoelastic(), false)?;
+    played::<I32F32>(I32F32::compact(), false)
 }

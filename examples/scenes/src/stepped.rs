@@ -3,10 +3,10 @@
 //! The scheme is that of textbook MD: velocity Verlet, one evaluation of the forces a step, neighbour
 //! lists, contacts by the very force law whose table the event-driven run reads.
 
-use carom::Scalar;
+use carom::{Grain, Scalar};
 
 use crate::scene::n;
-use crate::tilt::{self, GRAINS, SIDE};
+use crate::tilt::{self, DISSIPATION, GRAINS, POISSON, SIDE, YOUNG};
 
 /// The longest neighbour list: in two dimensions about six neighbours a grain, each pair once.
 const PAIRS: usize = 256;
@@ -52,16 +52,15 @@ fn minus<S: Scalar>(a: [S; 2], b: [S; 2]) -> [S; 2] {
 impl<S: Scalar> Stepped<S> {
     /// The grains of the tilt box, and a time step in milliseconds.
     #[must_use]
-    pub fn new(step: S) -> Self {
+    pub fn new(grains: &[Grain<S, 2>; GRAINS], step: S) -> Self {
         let zero = [S::zero(); 2];
-        let bodies = core::array::from_fn(|k| {
-            let grain = tilt::site::<S>(k as u32);
+        let bodies = grains.map(|grain| {
             let (position, velocity) = (grain.position.into(), grain.velocity.into());
             let (radius, mass) = (grain.radius, grain.mass);
             Body { position, velocity, force: zero, listed: position, radius, mass }
         });
-        let stiffness = n(2.0 / 3.0 * 477.5 / (1.0 - 0.4 * 0.4));
-        let (pairs, dissipation) = ([(0, 0); PAIRS], n(0.015));
+        let stiffness = n(2.0 / 3.0 * YOUNG / (1.0 - POISSON * POISSON));
+        let (pairs, dissipation) = ([(0, 0); PAIRS], n(1.5 * DISSIPATION));
         let mut run = Self { bodies, pairs, count: 0, gravity: zero, step, stiffness, dissipation };
         run.list();
         run.forces();
@@ -142,9 +141,9 @@ impl<S: Scalar> Stepped<S> {
         let approach = -dot(apart, minus(one.velocity, other.velocity)) / distance;
         let rho = self.stiffness * (one.radius * other.radius / reach).sqrt();
         let along = force(rho, self.dissipation, reach - distance, approach) / distance;
-        for axis in 0..2 {
-            self.bodies[a].force[axis] += along * apart[axis];
-            self.bodies[b].force[axis] -= along * apart[axis];
+        for (axis, part) in apart.into_iter().enumerate() {
+            self.bodies[a].force[axis] += along * part;
+            self.bodies[b].force[axis] -= along * part;
         }
     }
 

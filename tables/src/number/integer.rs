@@ -189,7 +189,8 @@ pub fn inverse_fifth_root(factors: &[i64], fraction: u32) -> Option<i64> {
     }
     let (fifth, rest) = (power.div_euclid(5), power.rem_euclid(5));
     // y is 2^(−(rest + 1/2)/5) to 7 %, and each round cubes its error.
-    let mut y = TENTHS[rest as usize];
+    // There are five; an index would leave a panic in small images.
+    let mut y = TENTHS.get(rest as usize).copied().unwrap_or(ONE);
     for _ in 0..4 {
         let y2 = times(y, y);
         let y5 = times(times(y2, y2), y);

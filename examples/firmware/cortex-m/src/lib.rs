@@ -27,8 +27,8 @@ const NANOSECONDS_PER_MILLISECOND: u64 = 1_000_000;
 /// The longest that SysTick can count.
 const LONGEST: u32 = 0x00FF_FFFF;
 
-/// How much of the stack is painted: most of the micro:bit's 16 KiB.
-pub const PAINT: usize = if M4F { 32 * 1024 } else { 8 * 1024 };
+/// Above this address RAM is the stack's: these images have a few bytes of static data.
+pub const STACK: usize = 0x2000_0040;
 
 /// The number of this board's tilt box: fixed point where there is no floating-point unit.
 #[cfg(target_abi = "eabihf")]

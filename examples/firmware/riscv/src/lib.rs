@@ -13,8 +13,8 @@ use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
 use semihosting::sys::arm_compat::sys_writec;
 
-/// How much of the stack is painted.
-pub const PAINT: usize = 32 * 1024;
+/// Above this address RAM is the stack's: these images have no static data.
+pub const STACK: usize = 0x8040_0040;
 
 /// The number of this board's tilt box: fixed point, for there is no floating-point unit.
 pub type Number = carom::number::I32F32;

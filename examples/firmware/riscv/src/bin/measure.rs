@@ -2,12 +2,13 @@
 #![no_std]
 #![no_main]
 
-use carom_riscv::{Chip, PAINT, app};
+use carom_riscv::{Chip, Number, STACK, app};
+use carom_scenes::Number as _;
 use riscv_rt::entry;
 use semihosting::process;
 
 #[entry]
 fn main() -> ! {
-    app::measure_all(PAINT, &mut Chip::start());
+    app::measure_all::<Number>(&[("compact", Number::compact())], STACK, &mut Chip::start());
     process::exit(0)
 }
