@@ -84,6 +84,7 @@ macro_rules! float {
             fn bits(self) -> u64 {
                 u64::from(self.to_bits())
             }
+            #[allow(clippy::cast_lossless, reason = "for one of the two it is not")]
             fn from_count(count: u32) -> Self {
                 count as Self
             }
