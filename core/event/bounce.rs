@@ -7,6 +7,7 @@
 use super::apply::{Affected, Deed};
 use super::rest;
 use super::scene::{Counters, Scene};
+use super::support::HOPPING;
 use super::turn::Touch;
 use crate::fault::Fault;
 use crate::matter::{Body, Partner};
@@ -34,7 +35,11 @@ pub(super) fn grains<S: Scalar, const D: usize>(
     let speed = -touch.radial;
     let [x, y] = [a, b].map(|body| burst(scene, body, speed, is_slow));
     let last = a.last_collision().larger(b.last_collision());
+    let lossy = restitution < S::one();
     let restitution = lasting::<S, D>(scene, restitution, (last, is_slow), x.max(y));
+    // Hops that lose nothing only because they are slow may end on an elastic plane, too.
+    let hopping = is_slow && lossy && restitution == S::one();
+    let [x, y] = [x, y].map(|burst| if hopping { burst.max(HOPPING) } else { burst });
     if x.min(y) >= MOST {
         return Err(stuck(scene, i, Partner::grain(k), x.min(y)));
     }
@@ -57,7 +62,10 @@ pub(super) fn plane<S: Scalar, const D: usize>(
     let Some(plane) = scene.boundary.planes().get(p) else { return Ok(Deed::Wander) };
     let normal = plane.normal;
     let is_slow = speed + speed <= norm(&scene.gravity) * scene.hop;
-    let burst = burst(scene, body, speed, is_slow);
+    let mut burst = burst(scene, body, speed, is_slow);
+    if is_slow && loses(scene) {
+        burst = burst.max((burst + 1).min(HOPPING));
+    }
     if burst >= MOST {
         return Err(stuck(scene, i, Partner::plane(p), burst));
     }
@@ -72,6 +80,12 @@ pub(super) fn plane<S: Scalar, const D: usize>(
     }
     rest::push(scene, i, &Body { burst: kept(body, burst), ..*body }, change, affected);
     Ok(Deed::Collision { restitution })
+}
+
+/// Whether slow collisions have lost energy in this world, or would have but for the rules above. Where
+/// everything is elastic no hop on a plane may end.
+fn loses<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> bool {
+    scene.counters.within_tc > 0 || scene.counters.rests > 0
 }
 
 /// The smallest change of a velocity that its rounding does not swallow. Grains part at least this

@@ -6,21 +6,26 @@ use super::scene::Scene;
 use super::turn::Touch;
 use crate::law::Outcome;
 use crate::matter::{Body, Partner};
-use crate::number::{Scalar, Vector, norm};
+use crate::number::{Scalar, norm};
 
 /// Until when a contact that begins now cannot be ended by a third body: a 64th of its duration, or,
-/// if that is less, until the grain has flown a 64th of its radius.
+/// if that is less, until the grain has flown a 64th of its radius or of its height above a plane.
 ///
-/// Meanwhile a third body may sink in by v τ/64, a fraction of what it would in a real contact.
+/// Meanwhile a third body may sink in by v τ/64, a fraction of what it would in a real contact; and the
+/// centre of a grain that is pressed into a corner again and again does not come behind a plane.
 pub(super) fn unbroken<S: Scalar, const D: usize>(
-    now: S,
+    scene: &Scene<'_, S, D>,
+    body: &Body<S, D>,
     duration: S,
-    (radius, velocity): (S, &Vector<S, D>),
 ) -> S {
     let part = S::from_f32(1.0 / 64.0);
-    let (far, speed) = (radius * part, norm(velocity));
+    let height = scene.boundary.planes().iter().fold(body.radius, |least, plane| {
+        let height = plane.gap(&body.position, body.radius, scene.now) + body.radius;
+        least.smaller(height.larger(body.radius * part * part))
+    });
+    let (far, speed) = (height * part, norm(&body.velocity));
     let brief = duration * part;
-    now + if speed * brief > far { far / speed } else { brief }
+    scene.now + if speed * brief > far { far / speed } else { brief }
 }
 
 /// E^φ: the line of centres turns, both grains take the velocity of their centre of mass, and what
@@ -47,14 +52,15 @@ pub(super) fn begins<S: Scalar, const D: usize>(
         return false;
     }
     let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / mass);
-    let bound = |body: &Body<S, D>, position, share, partner| Body {
-        position,
-        velocity: centre,
-        release: velocity * share,
-        release_at: scene.now + outcome.duration,
-        moment: unbroken(scene.now, outcome.duration, (body.radius, &centre)),
-        partner: Partner::grain(partner),
-        ..body.let_go()
+    let bound = |body: &Body<S, D>, position, share, partner| {
+        let there = Body { position, velocity: centre, ..body.let_go() };
+        Body {
+            release: velocity * share,
+            release_at: scene.now + outcome.duration,
+            moment: unbroken(scene, &there, outcome.duration),
+            partner: Partner::grain(partner),
+            ..there
+        }
     };
     let (bound_a, bound_b) = (bound(a, at_a, share_a, k), bound(b, at_b, share_b, i));
     for (x, body, bound) in [(i, a, bound_a), (k, b, bound_b)] {

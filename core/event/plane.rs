@@ -95,14 +95,13 @@ fn contact<S: Scalar, const D: usize>(
     };
     let hold = along - dot(n, &scene.gravity) * outcome.duration * S::half();
     let velocity = without(&body.velocity, n) + n * hold;
+    let there = Body { position, velocity, ..*body };
     let bound = Body {
-        position,
-        velocity,
         release: n * (later.speed + speed * outcome.restitution),
         release_at,
-        moment: unbroken(scene.now, outcome.duration, (body.radius, &velocity)),
+        moment: unbroken(scene, &there, outcome.duration),
         partner: Partner::plane(p),
-        ..*body
+        ..there
     };
     scene.relocate(i, bound.let_go());
     Deed::Contact(*outcome)

@@ -16,7 +16,7 @@
 use super::apply::{Affected, Deed, without};
 use super::bounce;
 use super::scene::Scene;
-use super::support::{CALM, carried, felt, give, is_nothing, size, unseen};
+use super::support::{CALM, HOPPING, carried, felt, give, is_nothing, size, unseen};
 use super::turn::Touch;
 use crate::fault::Fault;
 use crate::matter::{Body, flight};
@@ -39,8 +39,9 @@ pub(super) fn settles<S: Scalar, const D: usize>(
     let Some(plane) = scene.boundary.planes().get(p) else { return false };
     let pull = dot(&plane.normal, &flight::acceleration(body, scene.field()));
     let weight = plane.motion(scene.now).acceleration - pull;
-    let lossy = restitution < S::one() || speed == S::zero() || duration > S::zero();
-    let hop = if body.burst >= CALM / 4 { scene.hop } else { S::zero() };
+    let hopping = body.burst >= HOPPING;
+    let lossy = restitution < S::one() || speed == S::zero() || duration > S::zero() || hopping;
+    let hop = if hopping { scene.hop } else { S::zero() };
     let duration = duration.larger(scene.t_c).larger(hop);
     lossy && is_rest(speed, weight, unseen(size(body)), duration)
 }

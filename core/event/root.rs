@@ -122,6 +122,30 @@ mod tests {
         assert_eq!(spheres(&r, &Vector::from([0.0, 1.0]), 1.0), None);
     }
 
+    proptest::proptest! {
+        /// Directions, distances and aims of all kinds, most of them near to touching or to a glancing pass;
+        /// the glance sees separations that are wrong by a thousandth of the reach.
+        #[test]
+        fn a_glance_misses_no_meeting(
+            gap in proptest::prop_oneof![-0.5..4.0_f64, -1e-3..1e-3_f64, 10.0..1e4_f64],
+            aim in proptest::prop_oneof![-1.5..1.5_f64, 0.999..1.001_f64],
+            (turn, speed) in (0.0..6.2_f64, 1e-3..1e3_f64),
+            error in proptest::array::uniform3(-0.0005..0.0005_f64),
+        ) {
+            let (distance, sigma) = (1.0 + gap, 1.0);
+            // Passes at `aim` reaches from the centre, coming or going.
+            let across = (aim / distance).clamp(-1.0, 1.0);
+            let along = libm::sqrt(1.0 - across * across) * if turn > 3.1 { 1.0 } else { -1.0 };
+            let (sin, cos) = (libm::sin(turn), libm::cos(turn));
+            let r = Vector::from([distance * cos, distance * sin, 0.0]);
+            let v = Vector::from([along * cos - across * sin, along * sin + across * cos, 0.0]) * speed;
+            if spheres(&r, &v, sigma).is_some() {
+                proptest::prop_assert!(may_meet(&(r + Vector::from(error)), &v, sigma));
+                proptest::prop_assert!(may_meet(&r.cast::<f32>(), &v.cast::<f32>(), 1.0_f32));
+            }
+        }
+    }
+
     #[test]
     fn a_glancing_pass_is_no_event() {
         assert_eq!(spheres(&Vector::from([-2.0, 1.0]), &Vector::from([1.0, 0.0]), 1.0), None);

@@ -7,6 +7,9 @@ use crate::number::{Scalar, Vector, dot, norm};
 /// After so many slow collisions in a row a grain is calm enough to lie still.
 pub(super) const CALM: u16 = 64;
 
+/// After so many a slow grain that leaves a plane is laid onto it.
+pub(super) const HOPPING: u16 = CALM / 4;
+
 /// The normals of what touches a body and does not give way.
 type Supports<S, const D: usize> = heapless::Vec<Vector<S, D>, 24>;
 

@@ -41,13 +41,15 @@ fn crossing<S: Scalar, const D: usize>(
     let at = grid.coordinates(body.cell);
     let [x, v, a]: [[S; D]; 3] = [*position, *velocity, scene.gravity].map(Into::into);
     for (axis, ((&x, &v), &a)) in x.iter().zip(&v).zip(&a).enumerate() {
-        let [low, high] = grid.faces(&at, axis, x);
         if a == S::zero() {
-            let (gap, up) = if v < S::zero() { (low, false) } else { (high, true) };
-            let Some(gap) = gap.filter(|_| v != S::zero()) else { continue };
-            sooner(&mut first, (gap / v.magnitude()).larger(S::zero()), Stride { axis, up });
+            let stride = Stride { axis, up: v > S::zero() };
+            let face = grid.face(&at, stride).filter(|_| v != S::zero());
+            if let Some(face) = face {
+                sooner(&mut first, ((face - x) / v).larger(S::zero()), stride);
+            }
             continue;
         }
+        let [low, high] = grid.faces(&at, axis, x);
         for (gap, v, a, up) in [(low, v, a, false), (high, -v, -a, true)] {
             if let Some(span) = gap.and_then(|gap| root::plane(gap, v, a)) {
                 sooner(&mut first, span, Stride { axis, up });

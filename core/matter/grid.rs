@@ -194,6 +194,15 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         [low, high]
     }
 
+    /// Where the face of a cell is that a stride crosses; none where the cell reaches to infinity.
+    #[inline]
+    pub(crate) fn face(&self, at: &[u32; D], stride: Stride) -> Option<S> {
+        let (&c, lane) = (at.get(stride.axis)?, self.lanes.as_slice().get(stride.axis)?);
+        let last = if stride.up { c + 1 == lane.count } else { c == 0 };
+        let face = c + u32::from(stride.up);
+        (lane.periodic || !last).then(|| lane.low + lane.width * S::from_count(face))
+    }
+
     /// The cell after a stride, and by how many box lengths along the axis the position must be moved.
     pub(crate) fn stride(&self, cell: u32, stride: Stride) -> Option<(u32, S)> {
         let mut at = self.coordinates(cell);

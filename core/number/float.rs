@@ -84,6 +84,10 @@ macro_rules! float {
             fn bits(self) -> u64 {
                 u64::from(self.to_bits())
             }
+            #[allow(clippy::cast_lossless, reason = "for one of the two it is not")]
+            fn from_count(count: u32) -> Self {
+                count as Self
+            }
             fn to_count(self) -> u32 {
                 // A cast from float saturates, and NaN gives 0.
                 self as u32
