@@ -51,6 +51,9 @@ fn minus<S: Scalar>(a: [S; 2], b: [S; 2]) -> [S; 2] {
 
 impl<S: Scalar> Stepped<S> {
     /// The grains of the tilt box, and a time step in milliseconds.
+    ///
+    /// Not inlined: the copy that is made of it does not stay on the stack.
+    #[inline(never)]
     #[must_use]
     pub fn new(grains: &[Grain<S, 2>; GRAINS], step: S) -> Self {
         let zero = [S::zero(); 2];
