@@ -6,10 +6,10 @@ use super::scene::Scene;
 use super::turn::Touch;
 use crate::law::Outcome;
 use crate::matter::{Body, Partner};
-use crate::number::{Scalar, norm};
+use crate::number::{Product, Scalar, norm};
 
 /// Until when a contact that begins now cannot be ended by a third body: a 64th of its duration, or,
-/// if that is less, until the grain has flown a 64th of its radius or of its height above a plane.
+/// if that is less, until it can have flown a 64th of its radius or of its height above a plane.
 ///
 /// Meanwhile a third body may sink in by v τ/64, a fraction of what it would in a real contact; and the
 /// centre of a grain that is pressed into a corner again and again does not come behind a plane.
@@ -23,9 +23,11 @@ pub(super) fn unbroken<S: Scalar, const D: usize>(
         let height = plane.gap(&body.position, body.radius, scene.now) + body.radius;
         least.smaller(height.larger(body.radius * part * part))
     });
-    let (far, speed) = (height * part, norm(&body.velocity));
+    let (far, speed, g) = (height * part, norm(&body.velocity), norm(&scene.gravity));
+    // v t + g t²/2 = far, without cancellation.
+    let fastest = speed + (speed.times(speed) + (g + g).times(far)).root();
     let brief = duration * part;
-    scene.now + if speed * brief > far { far / speed } else { brief }
+    scene.now + if fastest * brief > far + far { (far + far) / fastest } else { brief }
 }
 
 /// E^φ: the line of centres turns, both grains take the velocity of their centre of mass, and what

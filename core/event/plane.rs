@@ -40,6 +40,10 @@ pub(super) fn meet<S: Scalar, const D: usize>(
             if rest::settles(scene, &body, p, after) {
                 return Ok(rest::settle(scene, i, &body, p));
             }
+            if is_pulled_off(scene, &body, &plane, outcome.duration) {
+                scene.counters.hard_sphere += 1;
+                return bounce::plane(scene, (i, p), &body, [speed, outcome.restitution], affected);
+            }
             Ok(contact(scene, (i, p), &body, &plane, (speed, &outcome)))
         }
         Response::Instant(restitution) => {
@@ -63,6 +67,18 @@ fn encounter<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: S) -> En
         tangential_speed: S::zero(),
         materials: [body.material; 2],
     }
+}
+
+/// Whether gravity points away from a plane and would move the grain visibly, by more than a 64th of its
+/// radius, during the contact: g τ²/8 is how far the contact below would bend its path into the plane.
+fn is_pulled_off<S: Scalar, const D: usize>(
+    scene: &Scene<'_, S, D>,
+    body: &Body<S, D>,
+    plane: &Plane<S, D>,
+    duration: S,
+) -> bool {
+    let away = dot(&plane.normal, &scene.gravity) * duration;
+    away > S::zero() && away.times(duration) > body.radius.times(S::from_f32(0.125))
 }
 
 /// E^φ against a plane: the grain stays at ε_r R from it for the contact duration; the motion along

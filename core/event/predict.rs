@@ -101,6 +101,11 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         let straight = straight || scene.boundary.is_open();
         let (mut kept, mut count) = ([0; CROWD], 0);
         for &k in crowd {
+            if S::RANGE.is_some() {
+                // In fixed point the squares of squares may not fit, and a glance costs what a close look does.
+                self.candidate(slot, k as usize, straight);
+                continue;
+            }
             let Some(other) = scene.body(k as usize) else { continue };
             let (y, w) = flight::nearly(other, field, now);
             let apart = if straight { here - y } else { scene.boundary.nearest(here - y) };

@@ -42,13 +42,9 @@ pub fn spheres<S: Scalar, const D: usize>(
 /// Whether two spheres may touch at all: never false where [`spheres`] finds a meeting, even from
 /// separations that are wrong by a thousandth of σ.
 ///
-/// That margin is in σ², larger by 1/256, and in the discriminant, smaller by 1/100.
+/// That margin is in σ², larger by 1/256, and in the discriminant, smaller by 1/100. For floats only.
 #[inline]
 pub fn may_meet<S: Scalar, const D: usize>(r: &Vector<S, D>, v: &Vector<S, D>, sigma: S) -> bool {
-    if S::RANGE.is_some() {
-        // The squares of squares may not fit.
-        return true;
-    }
     let approach = -r.dot(v);
     let gap = r.dot(r) - sigma * sigma * S::from_f32(1.0 + 1.0 / 256.0);
     let near = approach * approach >= v.dot(v) * gap * S::from_f32(0.99);

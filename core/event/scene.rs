@@ -36,7 +36,8 @@ pub struct Counters {
     pub put_off: u64,
     /// Encounters outside the table's domain answered with the nearest inside.
     pub clamped: u64,
-    /// Encounters outside the table's domain answered with the hard-sphere rule.
+    /// Encounters outside the table's domain answered with the hard-sphere rule, and contacts with a plane
+    /// so long that gravity would pull the grain off it.
     pub hard_sphere: u64,
     /// Grains that came to rest, on a plane or on others.
     pub rests: u64,
