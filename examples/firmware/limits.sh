@@ -4,4 +4,4 @@ limit $m4 "flash of the tilt box" "$(field $m4 3)" 86000 65536
 limit $m4 "RAM of 32 grains" "$(field $m4 4)" 3800 3584
 limit $m4 "instructions per collision" "$(field $m4 5)" 50000 12000
 limit $m4 "instructions per lookup" "$(field $m4 9)" 3400 3000
-limit $m0 "flash of the tilt box" "$(field $m0 3)" 100000 40960
+limit $m0 "flash of the tilt box" "$(field $m0 3)" 102000 40960
