@@ -136,3 +136,39 @@ fn a_heap_of_soft_grains_settles() {
     let left = world.view().kinetic_energy();
     assert!(left < 1e-4 * energy, "{left:e} of {energy:e}");
 }
+
+/// Grains that lose energy at each other but not at the floor: their hops on it become ever shorter, too,
+/// and must end. And where nothing loses energy nowhere a hop may end.
+#[test]
+fn only_lossy_grains_come_to_rest_on_an_elastic_floor() {
+    const N: usize = 24;
+    let run = |epsilon: f64| {
+        let mut memory = Memory::<f64, 2, N>::new();
+        let side = Surface::Hard(epsilon.max(0.5));
+        let grains = (0..N).map(|i| {
+            let radius = 0.05 + 0.05 * (i * 7 % 11) as f64 / 11.0;
+            let at = [0.25 * ((i % 12) as f64 + 0.5), 0.15 + 0.25 * (i / 12) as f64];
+            let velocity = [0.3 * ((i * 13 % 7) as f64 - 3.0), 0.2 * ((i * 5 % 7) as f64 - 3.0)];
+            Grain::with_mass(radius, radius * radius).at(at).moving(velocity)
+        });
+        let mut world = World::setup(&mut memory)
+            .gravity([0.0, -G])
+            .rule(HardSphere { restitution: epsilon })
+            .plane(Plane::new([0.0, 1.0], 0.0, Surface::Hard(1.0)))
+            .plane(Plane::new([1.0, 0.0], 0.0, side))
+            .plane(Plane::new([-1.0, 0.0], -3.1, side))
+            .grains(grains)
+            .unwrap()
+            .start()
+            .unwrap();
+        for frame in 1..=50 {
+            world.advance_to(0.1 * f64::from(frame)).unwrap();
+            assert!(world.counters().events() < 200_000, "{frame}: {:?}", world.counters());
+        }
+        (world.view().kinetic_energy(), world.counters().rests)
+    };
+    let (left, rests) = run(0.6);
+    assert!(left < 1e-3 && rests > 0, "{left:e}");
+    let (left, rests) = run(1.0);
+    assert!(left > 1e-2 && rests == 0, "{left:e}, {rests}");
+}
