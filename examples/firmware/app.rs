@@ -30,11 +30,9 @@ pub fn tilt_box<S: Number>(
 const STEPS: u32 = 10_000;
 const BEGIN: u32 = 8;
 
-/// Measures the tilt box with each of these tables and, if there is room for it, by MD; one line for each
-/// number.
+/// Measures the tilt box with each of these tables and by MD, one line for each number.
 pub fn measure_all<S: Number>(
     tables: &[(&str, &'static Table<S::Stored>)],
-    md: bool,
     stack: usize,
     board: &mut impl Board,
 ) {
@@ -43,9 +41,6 @@ pub fn measure_all<S: Number>(
     for (name, table) in tables {
         measure::<S>(name, table, stack, board);
         println!("{name}.lookup {}", measure::lookup::<S>(table, board));
-    }
-    if !md {
-        return;
     }
     match measure::stepped::<S>(S::compact(), BEGIN, STEPS, board) {
         Ok(instructions) => println!("md {instructions}"),

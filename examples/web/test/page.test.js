@@ -187,7 +187,10 @@ test("tilt box on a phone: a finger, and the device's tilt", () =>
     await page.touchscreen.tap(box.x + box.width / 2, box.y + 6);
     await settles(page, ({ y }) => y < 0.45);
     await page.tap("#tilt-device");
-    await page.evaluate(() => dispatchEvent(new DeviceOrientationEvent("deviceorientation", { beta: 0, gamma: -80 })));
+    // As a device does: again and again.
+    await page.evaluate(() => {
+      setInterval(() => dispatchEvent(new DeviceOrientationEvent("deviceorientation", { beta: 0, gamma: -80 })), 50);
+    });
     await settles(page, ({ x }) => x < 0.42);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
   }));

@@ -18,8 +18,10 @@ use semihosting::sys::arm_compat::sys_writec;
 /// A Cortex-M4F (it has the hard-float ABI), or a Cortex-M0?
 pub const M4F: bool = cfg!(target_abi = "eabihf");
 
-/// The core clock of the board as QEMU runs it: MPS2 with AN386, or the micro:bit.
-const TICKS_PER_MILLISECOND: u32 = if M4F { 25_000 } else { 16_000 };
+/// The core clock of MPS2 as QEMU runs it, in ticks a millisecond.
+pub const MPS2: u32 = 25_000;
+/// The core clock of the tilt box's board: MPS2 with AN386, or the micro:bit.
+pub const CLOCK: u32 = if M4F { MPS2 } else { 16_000 };
 
 /// With `-icount shift=0` one instruction takes one virtual nanosecond.
 const NANOSECONDS_PER_MILLISECOND: u64 = 1_000_000;
@@ -50,22 +52,23 @@ pub struct Chip {
     before: u64,
     /// The length of the present count, less one.
     reload: u32,
+    ticks_per_millisecond: u32,
 }
 
 impl Chip {
-    /// Starts the clock.
+    /// Starts the clock, which ticks so often in a millisecond.
     ///
     /// Interrupts stay masked: SysTick's becomes pending at the end of a count, which ends a sleep and
     /// needs no handler.
     #[must_use]
-    pub fn start(mut clock: SYST) -> Self {
+    pub fn start(mut clock: SYST, ticks_per_millisecond: u32) -> Self {
         cortex_m::interrupt::disable();
         clock.set_clock_source(SystClkSource::Core);
         clock.set_reload(LONGEST);
         clock.clear_current();
         clock.enable_interrupt();
         clock.enable_counter();
-        Self { clock, before: 0, reload: LONGEST }
+        Self { clock, before: 0, reload: LONGEST, ticks_per_millisecond }
     }
 
     /// Ticks since the start.
@@ -97,7 +100,7 @@ impl Board for Chip {
     }
 
     fn sleep_until(&mut self, milliseconds: f64) {
-        let end = (milliseconds * f64::from(TICKS_PER_MILLISECOND)) as u64;
+        let end = (milliseconds * f64::from(self.ticks_per_millisecond)) as u64;
         loop {
             let rest = end.saturating_sub(self.ticks());
             if rest < 64 {
@@ -110,6 +113,6 @@ impl Board for Chip {
     }
 
     fn instructions(&mut self) -> u64 {
-        self.ticks() * NANOSECONDS_PER_MILLISECOND / u64::from(TICKS_PER_MILLISECOND)
+        self.ticks() * NANOSECONDS_PER_MILLISECOND / u64::from(self.ticks_per_millisecond)
     }
 }

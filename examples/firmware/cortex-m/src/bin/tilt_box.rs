@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use carom_cortex_m::{Chip, Number, app, table};
+use carom_cortex_m::{CLOCK, Chip, Number, app, table};
 use carom_scenes::tilt::Board;
 use cortex_m_rt::entry;
 use semihosting::process;
@@ -10,7 +10,7 @@ use semihosting::process;
 #[entry]
 fn main() -> ! {
     let Some(peripherals) = cortex_m::Peripherals::take() else { process::exit(2) };
-    let mut chip = Chip::start(peripherals.SYST);
+    let mut chip = Chip::start(peripherals.SYST, CLOCK);
     if app::tilt_box::<Number>(table(), &mut chip).is_err() {
         chip.write(b"fault\n");
         process::exit(1)
