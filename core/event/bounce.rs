@@ -82,10 +82,10 @@ pub(super) fn plane<S: Scalar, const D: usize>(
     Ok(Deed::Collision { restitution })
 }
 
-/// Whether slow collisions have lost energy in this world, or would have but for the rules above. Where
-/// everything is elastic no hop on a plane may end.
+/// Whether slow collisions would have lost energy in this world but for the rules above. Where everything
+/// is elastic no hop on a plane may end.
 fn loses<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> bool {
-    scene.counters.within_tc > 0 || scene.counters.rests > 0
+    scene.counters.within_tc > 0
 }
 
 /// The smallest change of a velocity that its rounding does not swallow. Grains part at least this

@@ -3,7 +3,7 @@
 pub(crate) mod apply;
 mod bounce;
 pub mod bracket;
-mod contact;
+pub(crate) mod contact;
 pub(crate) mod order;
 mod plane;
 pub(crate) mod predict;

@@ -4,7 +4,7 @@ use super::World;
 use super::watch::{Happening, View, Watch};
 use crate::event::apply::{self, Affected, Deed};
 use crate::event::scene::Scene;
-use crate::event::{Counters, Kind, Slot, order, rest, support};
+use crate::event::{Counters, Kind, Slot, contact, order, rest, support};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
 use crate::matter::{Field, Grain, flight};
@@ -257,13 +257,16 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         }
         self.set_clocks_back(self.scene.now);
         self.at_once = 0;
-        self.scene.gravity = gravity;
+        let before = core::mem::replace(&mut self.scene.gravity, gravity);
         self.scene.weightless = flight::is_weightless(&gravity);
         self.scene.hop = support::hop(&gravity, self.scene.largest_radius);
         for body in self.scene.bodies.iter_mut() {
             *body = body.let_go();
         }
         self.scene.held = 0;
+        for i in 0..self.scene.bodies.len() {
+            contact::goes_on(&mut self.scene, i, &before);
+        }
         self.predict_all();
         Ok(())
     }
