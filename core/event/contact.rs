@@ -3,7 +3,7 @@
 use super::apply::Affected;
 use super::scene::Scene;
 use super::turn::Touch;
-use super::{plane, rest};
+use super::{plane, wake};
 use crate::law::Outcome;
 use crate::matter::{Body, Partner};
 use crate::number::{Product, Scalar, Vector, dot, norm};
@@ -92,7 +92,7 @@ pub(super) fn begins<S: Scalar, const D: usize>(
     for (x, body, bound) in [(i, a, bound_a), (k, b, bound_b)] {
         scene.relocate(x, bound);
         if body.is_held() {
-            rest::wakes(scene, x, affected);
+            wake::grain(scene, x, affected);
         }
     }
     true

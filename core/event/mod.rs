@@ -15,6 +15,7 @@ pub(crate) mod scene;
 pub(crate) mod support;
 mod touch;
 pub(crate) mod turn;
+pub(crate) mod wake;
 mod wander;
 
 pub use apply::Deed;
