@@ -59,7 +59,11 @@ impl Instant {
         let slow = exponent.saturating_add(64).min(0).unsigned_abs().min(127);
         let product = (self.ticks() >> slow).wrapping_mul(mantissa);
         let shift = exponent.unsigned_abs() - slow;
-        if exponent < 0 { (product >> shift) as u64 } else { product.checked_shl(shift).unwrap_or(0) as u64 }
+        if exponent < 0 {
+            (product >> shift) as u64
+        } else {
+            product.checked_shl(shift).unwrap_or(0) as u64
+        }
     }
 
     /// How often a timer with this many counts in a time unit has counted since the start, rounded down:

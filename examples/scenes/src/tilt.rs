@@ -53,13 +53,16 @@ fn glass<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
     Soft::with_table(law, table, Outside::HardSphere)
 }
 
-/// Memory for the grains of the tilt box.
+/// The memory of the tilt box: its grains and its four walls.
+pub type Box32<S> = Memory<S, 2, GRAINS, 4>;
+
+/// Memory for the tilt box.
 ///
 /// Not inlined, as [`tilt_box`]: the copy that is made of it does not stay on the stack.
 #[inline(never)]
 #[must_use]
-pub fn memory<S: Scalar>() -> Memory<S, 2, GRAINS> {
-    Memory::new()
+pub fn memory<S: Scalar>() -> Box32<S> {
+    Memory::default()
 }
 
 /// The tilt box.

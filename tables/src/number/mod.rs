@@ -147,6 +147,9 @@ mod tests {
             let (root, exact) = (f64::from(Real::cbrt(x)), libm::cbrt(f64::from(x)));
             assert!((root / exact - 1.0).abs() < 1.2e-7, "{x}: {root}");
         }
-        assert_eq!((Real::cbrt(0.0_f32), Real::cbrt(1.0_f32), Real::cbrt(27.0_f32)), (0.0, 1.0, 3.0));
+        assert_eq!(
+            (Real::cbrt(0.0_f32), Real::cbrt(1.0_f32), Real::cbrt(27.0_f32)),
+            (0.0, 1.0, 3.0)
+        );
     }
 }
