@@ -5,10 +5,10 @@
 //! patience with collisions that follow each other within the rounding of positions.
 
 use super::apply::{Affected, Deed};
-use super::rest;
 use super::scene::{Counters, Scene};
 use super::support::HOPPING;
 use super::turn::Touch;
+use super::{rest, wake};
 use crate::fault::Fault;
 use crate::matter::{Body, Partner};
 use crate::number::{Scalar, Vector, dot, largest, norm};
@@ -46,8 +46,8 @@ pub(super) fn grains<S: Scalar, const D: usize>(
     let away = (restitution * speed).larger(told_apart(&a.velocity) + told_apart(&b.velocity));
     let change = touch.e_r * (speed + away);
     let mass = a.mass + b.mass;
-    rest::push(scene, i, &Body { burst: kept(a, x), ..*a }, change * (b.mass / mass), affected);
-    rest::push(scene, k, &Body { burst: kept(b, y), ..*b }, -change * (a.mass / mass), affected);
+    wake::push(scene, i, &Body { burst: kept(a, x), ..*a }, change * (b.mass / mass), affected);
+    wake::push(scene, k, &Body { burst: kept(b, y), ..*b }, -change * (a.mass / mass), affected);
     Ok(Deed::Collision { restitution })
 }
 
@@ -78,14 +78,14 @@ pub(super) fn plane<S: Scalar, const D: usize>(
     if dot(&normal, &(body.velocity + change)) < scene.speed_of(p) {
         change += normal * told_apart(&body.velocity);
     }
-    rest::push(scene, i, &Body { burst: kept(body, burst), ..*body }, change, affected);
+    wake::push(scene, i, &Body { burst: kept(body, burst), ..*body }, change, affected);
     Ok(Deed::Collision { restitution })
 }
 
-/// Whether slow collisions have lost energy in this world, or would have but for the rules above. Where
-/// everything is elastic no hop on a plane may end.
+/// Whether slow collisions would have lost energy in this world but for the rules above. Where everything
+/// is elastic no hop on a plane may end.
 fn loses<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> bool {
-    scene.counters.within_tc > 0 || scene.counters.rests > 0
+    scene.counters.within_tc > 0
 }
 
 /// The smallest change of a velocity that its rounding does not swallow. Grains part at least this

@@ -1,15 +1,16 @@
 //! How does a lasting contact begin? Reads two bodies and an outcome; writes both, turned and bound (E^φ).
 
 use super::apply::Affected;
-use super::rest;
 use super::scene::Scene;
 use super::turn::Touch;
+use super::{plane, wake};
 use crate::law::Outcome;
 use crate::matter::{Body, Partner};
-use crate::number::{Product, Scalar, norm};
+use crate::number::{Product, Scalar, Vector, dot, norm};
 
 /// Until when a contact that begins now cannot be ended by a third body: a 64th of its duration, or,
-/// if that is less, until it can have flown a 64th of its radius or of its height above a plane.
+/// if that is less, until it, or a plate towards it, can have moved a 64th of its radius or of its height
+/// above a plane.
 ///
 /// Meanwhile a third body may sink in by v τ/64, a fraction of what it would in a real contact; and the
 /// centre of a grain that is pressed into a corner again and again does not come behind a plane.
@@ -23,11 +24,34 @@ pub(super) fn unbroken<S: Scalar, const D: usize>(
         let height = plane.gap(&body.position, body.radius, scene.now) + body.radius;
         least.smaller(height.larger(body.radius * part * part))
     });
-    let (far, speed, g) = (height * part, norm(&body.velocity), norm(&scene.gravity));
+    let plates = scene.boundary.planes().iter().filter_map(|plane| plane.vibration);
+    let shaken = plates.fold(S::zero(), |most, plate| most.larger(plate.peak_speed()));
+    let (far, g) = (height * part, norm(&scene.gravity));
+    let speed = norm(&body.velocity) + shaken;
     // v t + g t²/2 = far, without cancellation.
     let fastest = speed + (speed.times(speed) + (g + g).times(far)).root();
     let brief = duration * part;
     scene.now + if fastest * brief > far + far { (far + far) / fastest } else { brief }
+}
+
+/// Gravity has changed during the contact of grain `i`: a third body may end it in time again, and one
+/// with a plane ends where it would have, or at once if gravity pulls the grain off visibly now.
+pub(crate) fn goes_on<S: Scalar, const D: usize>(
+    scene: &mut Scene<'_, S, D>,
+    i: usize,
+    before: &Vector<S, D>,
+) {
+    let Some(body) = scene.body(i).copied().filter(Body::in_contact) else { return };
+    let (mut body, left) = (body, body.release_at - scene.now);
+    if let Some(plane) = body.partner.as_plane().and_then(|p| scene.boundary.planes().get(p)) {
+        let n = &plane.normal;
+        body.velocity += n * (dot(n, &(before - scene.gravity)) * left * S::half());
+        if plane::is_pulled_off(scene, &body, plane, left) {
+            (body.release_at, body.moment) = (scene.now, scene.now);
+        }
+    }
+    body.moment = body.moment.smaller(unbroken(scene, &body, left));
+    scene.place(i, body);
 }
 
 /// E^φ: the line of centres turns, both grains take the velocity of their centre of mass, and what
@@ -68,7 +92,7 @@ pub(super) fn begins<S: Scalar, const D: usize>(
     for (x, body, bound) in [(i, a, bound_a), (k, b, bound_b)] {
         scene.relocate(x, bound);
         if body.is_held() {
-            rest::wakes(scene, x, affected);
+            wake::grain(scene, x, affected);
         }
     }
     true

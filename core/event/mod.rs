@@ -3,7 +3,7 @@
 pub(crate) mod apply;
 mod bounce;
 pub mod bracket;
-mod contact;
+pub(crate) mod contact;
 mod glance;
 pub(crate) mod order;
 mod plane;
@@ -16,6 +16,7 @@ pub(crate) mod scene;
 pub(crate) mod support;
 mod touch;
 pub(crate) mod turn;
+pub(crate) mod wake;
 mod wander;
 
 pub use apply::Deed;

@@ -71,7 +71,7 @@ fn encounter<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: S) -> En
 
 /// Whether gravity points away from a plane and would move the grain visibly, by more than a 64th of its
 /// radius, during the contact: g τ²/8 is how far the contact below would bend its path into the plane.
-fn is_pulled_off<S: Scalar, const D: usize>(
+pub(super) fn is_pulled_off<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     body: &Body<S, D>,
     plane: &Plane<S, D>,

@@ -1,4 +1,4 @@
-//! How do grains come to rest, and what lets them go? Reads supports; writes bodies at rest and counters.
+//! How do grains come to rest? Reads supports; writes bodies at rest and counters.
 //!
 //! A grain whose next hop could not be told from lying still is laid still.
 //! * On a plane: a hop lower than the rounding of its position, or shorter than the contact itself (of
@@ -9,7 +9,7 @@
 //!   64 slow collisions in a row, is itself slow and is held by such as it. A pile comes to rest as
 //!   one; what it weighs on its neighbours is taken by them as by static friction.
 //!
-//! It wakes when it is hit faster than slowly, when what holds it moves, or when its plate falls away.
+//! What lets them go is in [`super::wake`].
 //! Slow is a speed that gravity takes away within the contact duration (of a soft law or t_c), or
 //! within the hop time of [`super::support::hop`].
 
@@ -18,6 +18,7 @@ use super::bounce;
 use super::scene::Scene;
 use super::support::{CALM, HOPPING, carried, felt, give, is_nothing, size, unseen};
 use super::turn::Touch;
+use super::wake::push;
 use crate::fault::Fault;
 use crate::matter::{Body, flight};
 use crate::number::{Product, Scalar, Vector, dot, norm};
@@ -235,71 +236,4 @@ fn moves<S: Scalar, const D: usize>(
         (_, true) => give(scene, (x, body), push, Some(other)),
         _ => push,
     }
-}
-
-/// Adds to a body's velocity. What it was pushed off or into holds it no longer.
-pub(super) fn push<S: Scalar, const D: usize>(
-    scene: &mut Scene<'_, S, D>,
-    x: usize,
-    body: &Body<S, D>,
-    change: Vector<S, D>,
-    affected: &mut Affected,
-) {
-    if body.is_frozen() && !(norm(&change) > S::zero()) {
-        return;
-    }
-    let mut pushed = Body { velocity: body.velocity + change, moment: scene.now, ..*body };
-    if body.is_held() {
-        let was_frozen = body.is_frozen();
-        pushed = pushed.let_go();
-        for (p, plane) in scene.boundary.planes().iter().enumerate() {
-            let near = unseen(size(body)) * S::from_f32(8.0);
-            let lies = plane.gap(&body.position, body.radius, scene.now) <= near;
-            if body.rests_on(p) && lies && dot(&plane.normal, &change) == S::zero() {
-                pushed = pushed.resting_on(p);
-            }
-        }
-        if was_frozen || pushed.planes != body.planes {
-            wakes(scene, x, affected);
-        }
-    }
-    scene.place(x, pushed);
-}
-
-/// A grain that was at rest is not any more.
-pub(super) fn wakes<S: Scalar, const D: usize>(
-    scene: &mut Scene<'_, S, D>,
-    x: usize,
-    affected: &mut Affected,
-) {
-    scene.counters.take_offs += 1;
-    affected.wakes(x);
-}
-
-/// The plate that carries grain `i` falls away faster than the grain does.
-pub(crate) fn take_off<S: Scalar, const D: usize>(
-    scene: &mut Scene<'_, S, D>,
-    i: usize,
-    affected: &mut Affected,
-) -> Deed<S> {
-    affected.again(i);
-    let free = scene.present(i).let_go();
-    scene.place(i, free);
-    wakes(scene, i, affected);
-    Deed::TakeOff
-}
-
-/// Something next to grain `i` has moved: is it still held?
-pub(crate) fn check<S: Scalar, const D: usize>(
-    scene: &mut Scene<'_, S, D>,
-    i: usize,
-    affected: &mut Affected,
-) -> Deed<S> {
-    affected.again(i);
-    let body = scene.present(i);
-    let g = felt(scene, &body);
-    if !body.is_frozen() || is_nothing(&give(scene, (i, &body), g, None), &g) {
-        return Deed::Wander;
-    }
-    take_off(scene, i, affected)
 }

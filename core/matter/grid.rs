@@ -108,7 +108,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         self.lanes.as_slice().iter().all(sound) && self.cells() <= NOWHERE as usize
     }
 
-    /// Whether it is a grid for this box and grains of this diameter.
+    /// Whether it is a grid for this box and grains of this diameter, zero if there is none.
     pub(crate) fn fits(&self, boundary: &Boundary<S, D>, reach: S) -> bool {
         self.lanes.as_slice().iter().enumerate().all(|(axis, lane)| {
             let length = lane.width * S::from_count(lane.count);
@@ -119,11 +119,12 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
                         && lane.length == p.length
                         && lane.low == p.low
                         && lane.count >= 4
-                        && off < reach * S::from_f32(1e-3)
+                        && (off < reach * S::from_f32(1e-3) || reach == S::zero())
                 }
                 None => !lane.periodic && lane.length == S::zero(),
             };
-            same && lane.low.is_number() && lane.width >= reach
+            // The only cell of an open axis reaches to infinity, however wide it is.
+            same && lane.low.is_number() && (lane.width >= reach || lane.count == 1)
         })
     }
 

@@ -70,6 +70,12 @@ impl<S: Scalar> Vibration<S> {
         S::from_f64(core::f64::consts::TAU) * self.frequency
     }
 
+    /// |A₀| ω.
+    #[must_use]
+    pub fn peak_speed(&self) -> S {
+        self.amplitude.magnitude() * self.angular_frequency()
+    }
+
     /// |A₀| ω²; L94's α is this in units of gravity.
     #[must_use]
     pub fn peak_acceleration(&self) -> S {

@@ -1,6 +1,7 @@
 //! How does a user hold a world? Memory, setup, steps, observation, snapshots; reads and writes everything below.
 
 mod check;
+mod clock;
 mod digest;
 mod memory;
 mod saved;

@@ -134,6 +134,32 @@ fn gravity_changed_in_the_middle_of_a_contact_moves_only_the_centre_of_mass() {
     assert!((a.position[1] + 1.0).abs() < 1e-12);
 }
 
+/// The same against a floor: nothing is pressed into it, and the contact ends where and when it would have.
+/// Gravity that pulls the grain off the floor far enough to be seen ends the contact at once.
+#[test]
+fn gravity_changed_in_the_middle_of_a_contact_presses_nothing_into_the_floor() {
+    let duration = std::f64::consts::PI * (2.0_f64 / 1.0e4).sqrt();
+    for (gravity, end) in [(-9.0, duration), (1.0, duration), (200.0, duration / 4.0)] {
+        let mut memory = Memory::<f64, 1, 1>::new();
+        let mut world = World::setup(&mut memory)
+            .walls([[0.0, 10.0]])
+            .rule(Integrated::new(SPRING))
+            .grain(Grain::with_mass(0.5, 2.0).at([1.5]).moving([-1.0]))
+            .unwrap()
+            .start()
+            .unwrap();
+        world.step().unwrap();
+        world.advance_to(1.0 + duration / 4.0).unwrap();
+        world.set_gravity([gravity]).unwrap();
+        let release = world.step().unwrap().unwrap();
+        assert_eq!(release.kind, Kind::Release);
+        assert!((release.at.as_f64() - 1.0 - end).abs() < 1e-12, "{gravity}: {}", release.at);
+        let grain = world.grain(0).unwrap();
+        assert!((grain.position[0] - 0.5).abs() < 1e-12, "{gravity}: {grain:?}");
+        assert!((grain.velocity[0] - 1.0).abs() < 1e-12, "{gravity}: {grain:?}");
+    }
+}
+
 /// Exception (a): a third grain stands where the turn would put one of the two.
 #[test]
 fn a_turn_into_a_third_grain_is_refused_and_counted() {
