@@ -4,6 +4,7 @@ pub(crate) mod apply;
 mod bounce;
 pub mod bracket;
 pub(crate) mod contact;
+mod glance;
 pub(crate) mod order;
 mod plane;
 pub(crate) mod predict;

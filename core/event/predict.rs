@@ -1,11 +1,12 @@
 //! When is a grain's next event? Reads the scene; writes nothing, returns the earliest slot.
 
 use super::bracket::Found;
+use super::glance::Eye;
 use super::queue::{Kind, Slot};
 use super::root;
 use super::scene::Scene;
 use super::{order, touch, wander};
-use crate::matter::cells::CROWD;
+use crate::matter::cells::{self, CROWD, Crowd};
 use crate::matter::grid::Stride;
 use crate::matter::{Body, Partner, flight};
 use crate::number::{Scalar, Vector};
@@ -17,7 +18,7 @@ use crate::number::{Scalar, Vector};
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
     let Some(look) = Look::from(scene, grain) else { return Slot::EMPTY };
     let mut slot = Slot::EMPTY;
-    scene.cells.crowds(look.me.cell, &mut |crowd, straight| look.crowd(&mut slot, crowd, straight));
+    scene.cells.crowds(look.me.cell, look.filler(), &mut |crowd| look.crowd(&mut slot, crowd));
     look.planes(&mut slot);
     look.earliest(slot)
 }
@@ -37,7 +38,7 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     let mut slot = slot.only_meeting();
     scene
         .cells
-        .ahead(look.me.cell, stride, &mut |crowd, straight| look.crowd(&mut slot, crowd, straight));
+        .ahead(look.me.cell, stride, look.filler(), &mut |crowd| look.crowd(&mut slot, crowd));
     if scene.boundary.planes().iter().any(|plane| plane.vibration.is_some()) {
         // The search for a plate goes no further than to the next cell.
         look.planes(&mut slot);
@@ -77,16 +78,27 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         self.own.time.smaller(self.wander.time).smaller(slot.meeting) - self.scene.now
     }
 
+    /// Itself: what a crowd is filled up with.
+    #[expect(clippy::cast_possible_truncation, reason = "setup refuses more than MOST_GRAINS")]
+    fn filler(&self) -> u32 {
+        self.grain as u32
+    }
+
     /// Takes the meetings with a crowd into account, in the images that are nearest now.
     #[inline(never)]
-    fn crowd(&self, slot: &mut Slot<S>, crowd: &[u32], straight: bool) {
-        let Some(now) = &self.now else { return self.fly(slot, crowd, straight) };
-        for k in crowd {
-            match self.scene.body(*k as usize) {
-                Some(other) if now.is_held() || other.is_held() => {
-                    self.held(slot, *k as usize, other);
+    fn crowd(&self, slot: &mut Slot<S>, crowd: &Crowd) {
+        let straight = crowd.straight || self.scene.boundary.is_open();
+        let held = self.now.as_ref().map(Body::is_held);
+        if held.is_none() && S::RANGE.is_none() {
+            return self.fly(slot, crowd, straight);
+        }
+        // In fixed point the squares of squares may not fit, and a glance costs what a close look does.
+        for &k in crowd.all() {
+            match self.scene.body(k as usize) {
+                Some(other) if held.is_some_and(|me| me || other.is_held()) => {
+                    self.held(slot, k as usize, other);
                 }
-                _ => self.fly(slot, core::slice::from_ref(k), straight),
+                _ => self.candidate(slot, k as usize, straight),
             }
         }
     }
@@ -94,27 +106,19 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     /// The same if nothing holds any of them. Most pairs never meet, which a glance tells: at all of them
     /// first, without a branch, and then at the others closely.
     #[inline(never)]
-    fn fly(&self, slot: &mut Slot<S>, crowd: &[u32], straight: bool) {
-        let scene = self.scene;
-        let (field, now, radius) = (scene.field(), scene.now, self.me.radius);
-        let (here, velocity) = (self.here, self.velocity);
-        let straight = straight || scene.boundary.is_open();
+    fn fly(&self, slot: &mut Slot<S>, crowd: &Crowd, straight: bool) {
+        let (scene, me) = (self.scene, self.filler());
+        let eye = Eye::new(scene, [&self.here, &self.velocity], self.me.radius);
         let (mut kept, mut count) = ([0; CROWD], 0);
-        for &k in crowd {
-            if S::RANGE.is_some() {
-                // In fixed point the squares of squares may not fit, and a glance costs what a close look does.
-                self.candidate(slot, k as usize, straight);
-                continue;
+        for some in crowd.groups() {
+            let others = some.map(|k| scene.body(k as usize).unwrap_or(self.me));
+            let may = eye.may_meet(scene, others, straight);
+            for (i, &k) in some.iter().enumerate() {
+                cells::put(&mut kept, count, k);
+                count += usize::from((may >> i & 1 == 1) & (k != me));
             }
-            let Some(other) = scene.body(k as usize) else { continue };
-            let (y, w) = flight::nearly(other, field, now);
-            let apart = if straight { here - y } else { scene.boundary.nearest(here - y) };
-            if let Some(place) = kept.get_mut(count) {
-                *place = k;
-            }
-            count += usize::from(root::may_meet(&apart, &(velocity - w), radius + other.radius));
         }
-        for &k in kept.get(..count).unwrap_or_default() {
+        for &k in kept.iter().take(count) {
             self.candidate(slot, k as usize, straight);
         }
     }

@@ -170,10 +170,11 @@ impl<'m, S: Scalar> Queue<'m, S> {
             let other = (word, self.time(self.winner(word)));
             node /= 2;
             mine = play(mine, other);
-            if mine.0 == self.word(node) && self.winner(mine.0) != grain {
+            let Some(place) = self.tree.get_mut(node) else { return };
+            if mine.0 == *place && (mine.0 & WINNER) as usize != grain {
                 return;
             }
-            self.keep(node, mine.0);
+            *place = mine.0;
         }
     }
 

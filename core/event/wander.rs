@@ -6,7 +6,7 @@ use super::scene::Scene;
 use super::{range, root, touch};
 use crate::matter::grid::{Grid, Stride};
 use crate::matter::{Body, Boundary, flight};
-use crate::number::{Scalar, Vector};
+use crate::number::{Scalar, Vector, part};
 
 /// When the body gets out of reach of the neighbours that were looked at.
 #[inline]
@@ -34,38 +34,36 @@ fn crossing<S: Scalar, const D: usize>(
     body: &Body<S, D>,
     [position, velocity]: [&Vector<S, D>; 2],
 ) -> Option<(S, u8)> {
-    let mut first = None::<(S, u8)>;
     if body.is_held() {
         return shaken_crossing(scene, grid, &flight::at(body, scene.field(), scene.now));
     }
     let at = grid.coordinates(body.cell);
-    let [x, v, a]: [[S; D]; 3] = [*position, *velocity, scene.gravity].map(Into::into);
-    for (axis, ((&x, &v), &a)) in x.iter().zip(&v).zip(&a).enumerate() {
+    let mut first = (S::NEVER, Slot::<S>::NO_FACE);
+    for axis in 0..D {
+        let [x, v, a] = [position, velocity, &scene.gravity].map(|vector| part(vector, axis));
         if a == S::zero() {
             let stride = Stride { axis, up: v > S::zero() };
-            let face = grid.face(&at, stride).filter(|_| v != S::zero());
-            if let Some(face) = face {
-                sooner(&mut first, ((face - x) / v).larger(S::zero()), stride);
-            }
+            let (face, is_open) = grid.face_ahead(&at, stride);
+            let span = ((face - x) / v).larger(S::zero());
+            sooner(&mut first, span, stride, is_open & (v != S::zero()));
             continue;
         }
         let [low, high] = grid.faces(&at, axis, x);
         for (gap, v, a, up) in [(low, v, a, false), (high, -v, -a, true)] {
             if let Some(span) = gap.and_then(|gap| root::plane(gap, v, a)) {
-                sooner(&mut first, span, Stride { axis, up });
+                sooner(&mut first, span, Stride { axis, up }, true);
             }
         }
     }
-    first
+    (first.1 != Slot::<S>::NO_FACE).then_some(first)
 }
 
-/// Keeps the face that is crossed first.
-#[inline]
-fn sooner<S: Scalar>(first: &mut Option<(S, u8)>, span: S, stride: Stride) {
-    // What does not fit the number type is not soon.
-    if first.map_or(span <= S::NEVER, |(least, _)| span < least) {
-        *first = Some((span, stride.code()));
-    }
+/// Keeps the face that is crossed first, if it can be crossed: without a branch, for nobody can guess.
+#[inline(always)]
+fn sooner<S: Scalar>(first: &mut (S, u8), span: S, stride: Stride, is_open: bool) {
+    let sooner = is_open & (span < first.0);
+    first.0 = if sooner { span } else { first.0 };
+    first.1 = if sooner { stride.code() } else { first.1 };
 }
 
 /// The same for a body that something holds, as it is now.

@@ -1,7 +1,7 @@
 //! Where does space end? Periodic axes and planes; reads positions, writes wrapped ones.
 
 use super::plane::Plane;
-use crate::number::{Instant, Scalar, Vector};
+use crate::number::{Instant, Scalar, Vector, part};
 
 /// How many planes a world can have, if its memory has place for them.
 pub const MOST_PLANES: usize = 8;
@@ -148,6 +148,12 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
             let over = if x > half { length } else { S::zero() };
             x - if x < -half { -length } else { over }
         })
+    }
+
+    /// How long a periodic axis is; zero for the others.
+    #[inline]
+    pub(crate) fn length(&self, axis: usize) -> S {
+        part(&self.length, axis)
     }
 
     /// A position on the lattice of the periodic axes, or a step from one to another.

@@ -1,7 +1,7 @@
 //! Who is near whom? Linked lists of grains in the cells of a grid, in borrowed memory; reads cells, writes lists.
 
-use super::grid::{Grid, MOST_AXES, NOWHERE, Steps, Stride};
-use crate::number::Scalar;
+use super::grid::{Around, Grid, NOWHERE, Stride};
+use crate::number::{LANES, Scalar};
 
 /// The end of a list.
 const END: u32 = u32::MAX >> 1;
@@ -84,154 +84,142 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
 
     /// Visits all grains in this cell and its neighbours; all grains, if there is no grid.
     pub fn near(&self, cell: u32, mut visit: impl FnMut(usize)) {
-        self.crowds(cell, &mut |crowd: &[u32], _| {
-            crowd.iter().for_each(|&grain| visit(grain as usize));
+        self.crowds(cell, END, &mut |crowd: &Crowd| {
+            crowd.all().iter().for_each(|&grain| visit(grain as usize));
         });
     }
 
-    /// The same in crowds, and whether their images are the nearest of those in this cell.
+    /// The same in crowds, filled up with a number of one's choice.
     #[inline]
-    pub fn crowds(&self, cell: u32, visit: &mut impl FnMut(&[u32], bool)) {
+    pub fn crowds(&self, cell: u32, filler: u32, visit: &mut impl FnMut(&Crowd)) {
         match &self.grid {
-            None => everyone(self.links.len(), visit),
-            Some(grid) => self.within(&grid.steps(&grid.coordinates(cell)), visit),
+            None => everyone(self.links.len(), filler, visit),
+            Some(grid) => self.within(&grid.around(&grid.coordinates(cell)), filler, visit),
         }
     }
 
     /// The same after a grain has come into this cell: only those that were not near before.
     #[inline]
-    pub fn ahead(&self, cell: u32, stride: Stride, visit: &mut impl FnMut(&[u32], bool)) {
+    pub fn ahead(&self, cell: u32, stride: Stride, filler: u32, visit: &mut impl FnMut(&Crowd)) {
         let Some(grid) = &self.grid else { return };
-        let (mut steps, straight) = grid.steps(&grid.coordinates(cell));
-        if let Some([below, same, above]) = steps.get_mut(stride.axis) {
-            let behind = if stride.up { below } else { above };
-            (*behind, *same) = (NOWHERE, NOWHERE);
-        }
-        self.within(&(steps, straight), visit);
+        self.within(&grid.ahead(&grid.coordinates(cell), stride), filler, visit);
     }
 
-    /// Visits the grains of the cells that these steps lead to: one of the three along each axis.
+    /// Visits the grains of these cells.
     ///
-    /// They are gathered first: a chase from grain to grain and computations with them go badly together.
+    /// They are gathered first, without a branch on whether there is one in a cell, and those behind the first in
+    /// their lists after that: a chase from grain to grain and computations with them go badly together.
     #[inline(never)]
-    fn within(&self, (steps, straight): &([Steps; D], bool), visit: &mut impl FnMut(&[u32], bool)) {
-        let Some((&along, across)) = steps.split_first() else { return };
-        let [first, second, third] = along;
-        let side_by_side = first < NOWHERE && second == first + 1 && third == second + 1;
-        let (mut crowd, mut count) = (Crowd { grains: [END; CROWD], straight: *straight }, 0);
-        let (rows, many) = rows(across);
-        for &row in rows.iter().take(many).filter(|&&row| row < NOWHERE) {
-            if side_by_side {
-                let from = (row + first) as usize;
-                for &head in self.heads.get(from..from + 3).unwrap_or_default() {
-                    count = self.gather(head, &mut crowd, count, visit);
+    fn within(&self, around: &Around, filler: u32, visit: &mut impl FnMut(&Crowd)) {
+        let mut heads = Heads { first: [filler; CROWD], more: [END; CROWD], count: 0, lists: 0 };
+        let [along @ [first, second, third], near, far] = &around.steps;
+        let side_by_side = *second == first + 1 && *third == second + 1;
+        for row in far {
+            for row in near.iter().map(|step| row + step).filter(|&row| row < NOWHERE) {
+                let three =
+                    self.heads.get((row + first) as usize..).and_then(<[u32]>::first_chunk::<3>);
+                if let Some(three) = three.filter(|_| side_by_side) {
+                    three.iter().for_each(|&head| heads.put(head));
+                    continue;
                 }
-                continue;
-            }
-            for term in along {
-                if let Some(&head) = self.heads.get((row + term) as usize) {
-                    count = self.gather(head, &mut crowd, count, visit);
-                }
+                let cells = along.iter().filter_map(|step| self.heads.get((row + step) as usize));
+                cells.for_each(|&head| heads.put(head));
             }
         }
-        crowd.visited(count, visit);
-    }
-
-    /// Gathers the grains of a list, without a branch on whether there is one; returns how many there are now.
-    #[inline]
-    fn gather(
-        &self,
-        head: u32,
-        crowd: &mut Crowd,
-        count: usize,
-        visit: &mut impl FnMut(&[u32], bool),
-    ) -> usize {
-        let now = crowd.put(head & !MORE, count);
-        if head & MORE != 0 || now == CROWD {
-            return self.gather_more(head, crowd, now, visit);
+        let Heads { first, more, count, lists } = heads;
+        let mut crowd = Crowd { grains: first, count, straight: around.straight };
+        for &first in more.iter().take(lists) {
+            self.gather(first, &mut crowd, filler, visit);
         }
-        now
+        crowd.visited(filler, visit);
     }
 
     /// Gathers all but the first of a list, and makes room.
-    #[inline(never)]
-    fn gather_more(
-        &self,
-        head: u32,
-        crowd: &mut Crowd,
-        mut count: usize,
-        visit: &mut impl FnMut(&[u32], bool),
-    ) -> usize {
-        let mut grain = head & !MORE;
-        while grain != END {
-            count = crowd.with_room(count, visit);
-            grain = self.links.get(grain as usize).map_or(END, |link| link.next);
-            count = crowd.put(grain, count);
-        }
-        crowd.with_room(count, visit)
-    }
-}
-
-/// The numbers of all rows of cells, sums of a step along each axis, and how many there are.
-#[inline]
-fn rows(across: &[Steps]) -> ([u32; 9], usize) {
-    const { assert!(MOST_AXES == 3, "nine rows are enough") };
-    let (mut rows, mut count) = ([0_u32; 9], 1);
-    for steps in across {
-        for (digit, step) in steps.iter().enumerate().rev() {
-            for row in 0..count {
-                let sum = rows.get(row).copied().unwrap_or(NOWHERE) + step;
-                if let Some(place) = rows.get_mut(digit * count + row) {
-                    *place = sum;
-                }
+    #[inline]
+    fn gather(&self, first: u32, crowd: &mut Crowd, filler: u32, visit: &mut impl FnMut(&Crowd)) {
+        let mut grain = first;
+        while let Some(Link { next, .. }) = self.links.get(grain as usize).filter(|l| l.next != END)
+        {
+            if crowd.count == CROWD {
+                crowd.visited(filler, visit);
             }
+            put(&mut crowd.grains, crowd.count, *next);
+            crowd.count += 1;
+            grain = *next;
         }
-        count *= 3;
     }
-    (rows, count)
 }
 
-/// How many neighbours are visited at a time.
+/// The heads of lists: of all that are not empty, and of those with more than one grain.
+struct Heads {
+    first: [u32; CROWD],
+    more: [u32; CROWD],
+    count: usize,
+    lists: usize,
+}
+
+/// Writes a place that is always there: no check is left of it.
+#[inline(always)]
+pub(crate) fn put(places: &mut [u32; CROWD], place: usize, grain: u32) {
+    if let Some(place) = places.get_mut(place % CROWD) {
+        *place = grain;
+    }
+}
+
+impl Heads {
+    /// Takes a head in; one that is of an empty list gives way to the next.
+    #[inline(always)]
+    fn put(&mut self, head: u32) {
+        let grain = head & !MORE;
+        put(&mut self.first, self.count, grain);
+        put(&mut self.more, self.lists, grain);
+        self.count += usize::from(head != END);
+        self.lists += (head / MORE) as usize;
+    }
+}
+
+/// How many neighbours are visited at a time: a multiple of the lanes, and more than cells are visited at a time.
 pub(crate) const CROWD: usize = 32;
 
-/// Neighbours that have been gathered. How many there are is passed from call to call: it stays in a register.
-struct Crowd {
+/// Neighbours that have been gathered.
+pub(crate) struct Crowd {
     grains: [u32; CROWD],
-    /// Whether they are the nearest images.
-    straight: bool,
+    count: usize,
+    /// Whether they are the nearest images of those in the cell looked from.
+    pub straight: bool,
 }
 
 impl Crowd {
-    /// Puts a grain in, or nothing if it is the end of a list; returns how many there are now.
-    #[inline]
-    fn put(&mut self, grain: u32, count: usize) -> usize {
-        if let Some(place) = self.grains.get_mut(count) {
-            *place = grain;
-        }
-        count + usize::from(grain != END)
+    /// The grains.
+    pub fn all(&self) -> &[u32] {
+        self.grains.get(..self.count).unwrap_or_default()
     }
 
-    /// Makes room if there is none; returns how many there are now.
-    fn with_room(&self, count: usize, visit: &mut impl FnMut(&[u32], bool)) -> usize {
-        if count < CROWD {
-            return count;
-        }
-        self.visited(count, visit);
-        0
+    /// The grains, as many at a time as are computed with side by side; at the end the filler.
+    #[inline]
+    pub fn groups(&self) -> impl Iterator<Item = &[u32; LANES]> {
+        const { assert!(CROWD.is_multiple_of(LANES) && LANES <= 2) };
+        self.grains.as_chunks().0.iter().take(self.count.div_ceil(LANES))
     }
 
     /// Lets all be visited.
     #[inline(never)]
-    fn visited(&self, count: usize, visit: &mut impl FnMut(&[u32], bool)) {
-        visit(self.grains.get(..count).unwrap_or_default(), self.straight);
+    fn visited(&mut self, filler: u32, visit: &mut impl FnMut(&Self)) {
+        if let Some(end) = self.grains.get_mut(self.count) {
+            *end = filler;
+        }
+        visit(self);
+        self.count = 0;
     }
 }
 
 /// Visits all grains.
 #[expect(clippy::cast_possible_truncation, reason = "setup refuses more than MOST_GRAINS")]
-fn everyone(grains: usize, visit: &mut impl FnMut(&[u32], bool)) {
+fn everyone(grains: usize, filler: u32, visit: &mut impl FnMut(&Crowd)) {
     for first in (0..grains).step_by(CROWD) {
-        let numbers: [u32; CROWD] = core::array::from_fn(|i| (first + i) as u32);
-        visit(numbers.get(..CROWD.min(grains - first)).unwrap_or_default(), false);
+        let numbers = core::array::from_fn(|i| (first + i) as u32);
+        let mut crowd =
+            Crowd { grains: numbers, count: CROWD.min(grains - first), straight: false };
+        crowd.visited(filler, visit);
     }
 }

@@ -97,21 +97,6 @@ pub fn free<S: Scalar, const D: usize>(
     after(body, field.gravity, field.boundary, span)
 }
 
-/// The same without the rounding to a lattice: to look where it is, not to put it there.
-#[inline]
-pub fn nearly<S: Scalar, const D: usize>(
-    body: &Body<S, D>,
-    field: Field<'_, S, D>,
-    now: S,
-) -> (Vector<S, D>, Vector<S, D>) {
-    let span = now - body.clock;
-    if field.weightless {
-        return (body.position + body.velocity * span, body.velocity);
-    }
-    let fall = field.gravity * span;
-    (body.position + (body.velocity + fall * S::half()) * span, body.velocity + fall)
-}
-
 #[inline]
 fn after<S: Scalar, const D: usize>(
     body: &Body<S, D>,

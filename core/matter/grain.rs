@@ -113,7 +113,8 @@ impl Partner {
 ///
 /// The first four fields say all about a free flight: in three dimensions of `f64` they are 64 bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
+#[cfg_attr(target_pointer_width = "64", repr(C, align(64)))]
+#[cfg_attr(not(target_pointer_width = "64"), repr(C))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Body<S: Scalar, const D: usize> {
     pub(crate) position: Vector<S, D>,

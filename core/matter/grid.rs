@@ -13,13 +13,20 @@ use crate::number::{Scalar, Vector};
 const FINE: f64 = 0.8;
 
 /// For more axes there are no grids.
-pub(super) const MOST_AXES: usize = 3;
+const MOST_AXES: usize = 3;
 
 /// From here on there are no cells: sums of a few such numbers do not overflow.
 pub(super) const NOWHERE: u32 = 1 << 28;
 
 /// What the three cells along an axis, below, same and above, add to a cell's number; `NOWHERE` if there is none.
 pub(super) type Steps = [u32; 3];
+
+/// The cells around one: a step along each axis leads to each.
+pub(super) struct Around {
+    pub steps: [Steps; MOST_AXES],
+    /// Whether none of them goes round a periodic axis.
+    pub straight: bool,
+}
 
 /// The cells along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -159,18 +166,29 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         at
     }
 
-    /// For each axis, the steps to the cell below, the same and the one above; and whether none of them
-    /// goes round a periodic axis.
+    /// The cells around one, itself included.
     #[inline]
-    pub(super) fn steps(&self, at: &[u32; D]) -> ([Steps; D], bool) {
-        let (mut scale, mut straight, mut steps) = (1, true, [[NOWHERE; 3]; D]);
-        for ((step, &c), lane) in steps.iter_mut().zip(at).zip(self.lanes.as_slice().iter()) {
+    pub(super) fn around(&self, at: &[u32; D]) -> Around {
+        let (mut scale, mut straight) = (1, true);
+        let mut steps = [[0, NOWHERE, NOWHERE]; MOST_AXES];
+        for ((steps, lane), &c) in steps.iter_mut().zip(self.lanes.as_slice()).zip(at) {
             let to = |c: Option<u32>| c.map_or(NOWHERE, |c| c * scale);
-            *step = [to(lane.below(c)), c * scale, to(lane.above(c))];
+            *steps = [to(lane.below(c)), c * scale, to(lane.above(c))];
             straight &= !lane.periodic || (c > 0 && c + 1 < lane.count);
             scale *= lane.count;
         }
-        (steps, straight)
+        Around { steps, straight }
+    }
+
+    /// Of the cells around one those that a stride into it has brought near.
+    #[inline]
+    pub(super) fn ahead(&self, at: &[u32; D], stride: Stride) -> Around {
+        let mut around = self.around(at);
+        if let Some([below, same, above]) = around.steps.get_mut(stride.axis) {
+            let next = if stride.up { *above } else { *below };
+            (*below, *same, *above) = (next, NOWHERE, NOWHERE);
+        }
+        around
     }
 
     /// The number of the cell with these coordinates.
@@ -195,20 +213,23 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         [low, high]
     }
 
-    /// Where the face of a cell is that a stride crosses; none where the cell reaches to infinity.
+    /// Where the face of a cell is that a stride crosses, and whether the cell ends there.
     #[inline]
-    pub(crate) fn face(&self, at: &[u32; D], stride: Stride) -> Option<S> {
-        let (&c, lane) = (at.get(stride.axis)?, self.lanes.as_slice().get(stride.axis)?);
-        let last = if stride.up { c + 1 == lane.count } else { c == 0 };
+    pub(crate) fn face_ahead(&self, at: &[u32; D], stride: Stride) -> (S, bool) {
+        let [lanes] = &self.lanes.data.0;
+        let (Some(&c), Some(lane)) = (at.get(stride.axis), lanes.get(stride.axis)) else {
+            return (S::zero(), false);
+        };
         let face = c + u32::from(stride.up);
-        (lane.periodic || !last).then(|| lane.low + lane.width * S::from_count(face))
+        let last = face == if stride.up { lane.count } else { 0 };
+        (lane.low + lane.width * S::from_count(face), lane.periodic | !last)
     }
 
     /// The cell after a stride, and by how many box lengths along the axis the position must be moved.
     pub(crate) fn stride(&self, cell: u32, stride: Stride) -> Option<(u32, S)> {
         let mut at = self.coordinates(cell);
         let (c, lane) = (at.get_mut(stride.axis)?, self.lanes.as_slice().get(stride.axis)?);
-        let moved = if stride.up { lane.above(*c)? } else { lane.below(*c)? };
+        let moved = lane.next(*c, stride.up)?;
         let turns = match (stride.up, moved) {
             (true, 0) => -S::one(),
             (false, m) if m + 1 == lane.count && *c == 0 => S::one(),
@@ -222,6 +243,11 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
 impl<S: Scalar> Lane<S> {
     fn index(&self, x: S) -> u32 {
         ((x - self.low) / self.width).to_count().min(self.count - 1)
+    }
+
+    /// The cell beside one.
+    fn next(&self, c: u32, up: bool) -> Option<u32> {
+        if up { self.above(c) } else { self.below(c) }
     }
 
     fn below(&self, c: u32) -> Option<u32> {

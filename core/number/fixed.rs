@@ -4,6 +4,7 @@
 //! sum of products that the engine forms can overflow before a grain is looked at again
 //! ([`Scalar::horizon`]), and every overflow is seen: it is not a number, and ends in a fault.
 
+use super::lanes::Each;
 use super::{I16F16, I32F32, Instant, Product, Scalar, Vector};
 use carom_tables::number::{Product as Exact, integer};
 
@@ -24,6 +25,7 @@ macro_rules! scalar {
 
         impl Scalar for $t {
             type Product = Exact<$wide>;
+            type Lanes = Each<Self>;
 
             const NEVER: Self = Self::MAX;
             const LAST: Self = Self::MAX;

@@ -1,5 +1,6 @@
 //! How do f32 and f64 count? The engine's operations on the two floating-point types.
 
+use super::lanes::Each;
 use super::{Instant, Product, Scalar, Vector, angle};
 
 const TICKS_PER_UNIT: f64 = 18_446_744_073_709_551_616.0;
@@ -33,7 +34,7 @@ macro_rules! parts {
 }
 
 macro_rules! float {
-    ($t:ty, $bits:ty, $sincos:path, $floor:path, $frexp:path, $ldexp:path, $mantissa:expr, $per_epoch:expr) => {
+    ($t:ty, $lanes:ty, $bits:ty, $sincos:path, $floor:path, $frexp:path, $ldexp:path, $mantissa:expr, $per_epoch:expr) => {
         impl Product<$t> for $t {
             #[inline]
             fn rounded(self) -> $t {
@@ -51,6 +52,7 @@ macro_rules! float {
 
         impl Scalar for $t {
             type Product = Self;
+            type Lanes = $lanes;
             // Finite, so that it survives every serialisation format.
             const NEVER: Self = <$t>::MAX;
             // 2⁶² units, well before the last instant.
@@ -126,8 +128,13 @@ macro_rules! float {
     };
 }
 
-float!(f32, u32, angle::sine_cosine, libm::floorf, libm::frexpf, libm::ldexpf, 23, 4);
-float!(f64, u64, libm::sincos, libm::floor, libm::frexp, libm::ldexp, 52, 64);
+float!(f32, Each<f32>, u32, angle::sine_cosine, libm::floorf, libm::frexpf, libm::ldexpf, 23, 4);
+#[cfg(target_arch = "x86_64")]
+type Doubles = wide::f64x2;
+#[cfg(not(target_arch = "x86_64"))]
+type Doubles = Each<f64>;
+
+float!(f64, Doubles, u64, libm::sincos, libm::floor, libm::frexp, libm::ldexp, 52, 64);
 
 #[cfg(test)]
 mod tests {

@@ -12,6 +12,7 @@ mod angle;
 mod fixed;
 mod float;
 mod instant;
+mod lanes;
 #[cfg(feature = "micromath")]
 pub mod quick;
 
@@ -19,6 +20,7 @@ pub use carom_tables::Real;
 #[cfg(feature = "fixed")]
 pub use carom_tables::number::{I16F16, I32F32};
 pub use instant::Instant;
+pub use lanes::{LANES, Lanes};
 
 use core::fmt::{Debug, Display};
 use core::ops::{AddAssign, MulAssign, SubAssign};
@@ -81,6 +83,8 @@ pub trait Scalar:
 
     /// The type of products.
     type Product: Product<Self>;
+    /// Several of these numbers side by side.
+    type Lanes: Lanes<Self>;
     /// The product, not yet rounded.
     fn times(self, other: Self) -> Self::Product;
     /// The scalar product, not yet rounded.
@@ -195,6 +199,13 @@ pub trait Scalar:
 /// Whether every component can be computed with.
 pub fn all_numbers<S: Scalar, const D: usize>(v: &Vector<S, D>) -> bool {
     v.iter().all(|x| x.is_number())
+}
+
+/// A component of a vector.
+#[inline(always)]
+pub fn part<S: Scalar, const D: usize>(v: &Vector<S, D>, axis: usize) -> S {
+    let [column] = &v.data.0;
+    column.get(axis).copied().unwrap_or(S::zero())
 }
 
 /// The scalar product.
