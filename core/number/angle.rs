@@ -5,8 +5,9 @@
 
 use core::f32::consts::FRAC_2_PI;
 
-/// π/2 in three parts. The first two have twelve digits: 2¹² times each is exact.
-const QUARTER: [f32; 3] = [1.570_800_8, -4.453_584_6e-6, -8.705_516e-10];
+/// π/2 in three parts. The first two are multiples of 2⁻¹¹ and 2⁻²⁴: 2¹² times each, and what is left of an
+/// angle without them, is exact.
+const QUARTER: [f32; 3] = [1.570_800_8, -4.470_348_4e-6, 1.589_325_5e-8];
 /// Beyond this there is no answer.
 const MOST: f32 = 6400.0;
 
