@@ -16,7 +16,8 @@ use crate::number::{Scalar, Vector};
 /// Meetings of grains that nothing holds depend on the two alone, not on when one asks: whatever
 /// finds neighbours, the same events come at the same bits.
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
-    let Some(look) = Look::from(scene, grain) else { return Slot::EMPTY };
+    let Some(me) = scene.body(grain) else { return Slot::EMPTY };
+    let look = Look::from(scene, grain, me);
     let mut slot = Slot::EMPTY;
     scene.cells.crowds(look.me.cell, look.filler(), &mut |crowd| look.crowd(&mut slot, crowd));
     look.planes(&mut slot);
@@ -33,7 +34,8 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     if scene.held > 0 || slot.face == Slot::<S>::NO_FACE {
         return next(scene, grain);
     }
-    let Some(look) = Look::from(scene, grain) else { return Slot::EMPTY };
+    let Some(me) = scene.body(grain) else { return Slot::EMPTY };
+    let look = Look::from(scene, grain, me);
     let stride = Stride::from_code(slot.face);
     let mut slot = slot.only_meeting();
     scene
@@ -55,8 +57,6 @@ struct Look<'a, S: Scalar, const D: usize> {
     /// Where it is now and how it flies, if nothing holds it.
     here: Vector<S, D>,
     velocity: Vector<S, D>,
-    /// The grain now; only where some are held.
-    now: Option<Body<S, D>>,
     /// What it does by itself.
     own: Slot<S>,
     /// When it gets out of reach of the neighbours.
@@ -65,12 +65,10 @@ struct Look<'a, S: Scalar, const D: usize> {
 
 impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     #[inline]
-    fn from(scene: &'a Scene<'_, S, D>, grain: usize) -> Option<Self> {
-        let me = scene.body(grain)?;
-        let now = (scene.held > 0).then(|| scene.present(grain));
+    fn from(scene: &'a Scene<'_, S, D>, grain: usize, me: &'a Body<S, D>) -> Self {
         let (here, velocity) = flight::free(me, scene.field(), scene.now);
         let wander = wander::away(scene, me, [&here, &velocity]);
-        Some(Self { scene, grain, me, here, velocity, own: own(scene, me), wander, now })
+        Self { scene, grain, me, here, velocity, own: own(scene, me), wander }
     }
 
     /// How far a search needs to look.
@@ -85,18 +83,24 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     }
 
     /// Takes the meetings with a crowd into account, in the images that are nearest now.
-    #[inline(never)]
+    #[inline]
     fn crowd(&self, slot: &mut Slot<S>, crowd: &Crowd) {
         let straight = crowd.straight || self.scene.boundary.is_open();
-        let held = self.now.as_ref().map(Body::is_held);
-        if held.is_none() && S::RANGE.is_none() {
-            return self.fly(slot, crowd, straight);
+        match self.scene.held {
+            0 if S::RANGE.is_none() => self.fly(slot, crowd, straight),
+            _ => self.closely(slot, crowd, straight),
         }
-        // In fixed point the squares of squares may not fit, and a glance costs what a close look does.
+    }
+
+    /// The same if something may hold some of them, or in fixed point: there the squares of squares may not
+    /// fit, and a glance costs what a close look does.
+    #[inline(never)]
+    fn closely(&self, slot: &mut Slot<S>, crowd: &Crowd, straight: bool) {
+        let now = (self.scene.held > 0).then(|| self.scene.present(self.grain));
         for &k in crowd.all() {
-            match self.scene.body(k as usize) {
-                Some(other) if held.is_some_and(|me| me || other.is_held()) => {
-                    self.held(slot, k as usize, other);
+            match (self.scene.body(k as usize), &now) {
+                (Some(other), Some(now)) if now.is_held() || other.is_held() => {
+                    self.held(slot, k as usize, (now, other));
                 }
                 _ => self.candidate(slot, k as usize, straight),
             }
@@ -149,8 +153,8 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
 
     /// The same if one of the two is held.
     #[inline(never)]
-    fn held(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>) {
-        let (scene, Some(now)) = (self.scene, &self.now) else { return };
+    fn held(&self, slot: &mut Slot<S>, k: usize, (now, other): (&Body<S, D>, &Body<S, D>)) {
+        let scene = self.scene;
         if self.is_bound(k, other) {
             return;
         }
