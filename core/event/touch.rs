@@ -17,9 +17,15 @@ pub(super) fn flying<S: Scalar, const D: usize>(
     [me, other]: [&Body<S, D>; 2],
     image: &Vector<S, D>,
 ) -> Option<S> {
-    // One of the two spans is zero. Which one nobody can guess: no branch.
-    let (from, field) = (me.clock.larger(other.clock), scene.field());
-    let ((x, v), (y, w)) = (flight::free(me, field, from), flight::free(other, field, from));
+    let (mut from, field) = (me.clock, scene.field());
+    let (mut x, mut v) = (me.position, me.velocity);
+    let (mut y, mut w) = (other.position, other.velocity);
+    if other.clock <= from {
+        (y, w) = flight::free(other, field, from);
+    } else {
+        from = other.clock;
+        (x, v) = flight::free(me, field, from);
+    }
     let span = root::spheres(&(x - y + image), &(v - w), me.radius + other.radius)?;
     Some(from + span)
 }
