@@ -97,13 +97,16 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     #[inline(never)]
     fn closely(&self, slot: &mut Slot<S>, crowd: &Crowd, straight: bool) {
         let now = (self.scene.held > 0).then(|| self.scene.present(self.grain));
-        for &k in crowd.all() {
-            match (self.scene.body(k as usize), &now) {
-                (Some(other), Some(now)) if now.is_held() || other.is_held() => {
-                    self.held(slot, k as usize, (now, other));
-                }
-                _ => self.candidate(slot, k as usize, straight),
+        let free = crowd.only(self.filler(), |k| match (self.scene.body(k as usize), &now) {
+            (Some(other), Some(now)) if now.is_held() || other.is_held() => {
+                self.held(slot, k as usize, (now, other));
+                false
             }
+            _ => true,
+        });
+        match S::RANGE {
+            None => self.fly(slot, &free, straight),
+            Some(_) => free.all().iter().for_each(|&k| self.candidate(slot, k as usize, straight)),
         }
     }
 

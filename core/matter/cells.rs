@@ -200,12 +200,28 @@ impl Crowd {
         self.grains.as_chunks().0.iter().take(self.count.div_ceil(LANES))
     }
 
-    /// Lets all be visited.
-    #[inline(never)]
-    fn visited(&mut self, filler: u32, visit: &mut impl FnMut(&Self)) {
+    /// Some of them.
+    pub fn only(&self, filler: u32, mut which: impl FnMut(u32) -> bool) -> Self {
+        let mut few = Self::new(filler, self.straight);
+        for &grain in self.all() {
+            put(&mut few.grains, few.count, grain);
+            few.count += usize::from(which(grain));
+        }
+        few.end(filler);
+        few
+    }
+
+    /// Puts the filler at the end.
+    fn end(&mut self, filler: u32) {
         if let Some(end) = self.grains.get_mut(self.count) {
             *end = filler;
         }
+    }
+
+    /// Lets all be visited.
+    #[inline(never)]
+    fn visited(&mut self, filler: u32, visit: &mut impl FnMut(&Self)) {
+        self.end(filler);
         visit(self);
         self.count = 0;
     }
