@@ -48,6 +48,9 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     look.earliest(slot)
 }
 
+/// So many bytes of bodies are held by the cache next to a processor.
+const CACHE: usize = 2 << 20;
+
 /// A look around from one grain.
 struct Look<'a, S: Scalar, const D: usize> {
     scene: &'a Scene<'a, S, D>,
@@ -116,6 +119,9 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     fn fly(&self, slot: &mut Slot<S>, crowd: &Crowd, straight: bool) {
         let (scene, me) = (self.scene, self.filler());
         let eye = Eye::new(scene, [&self.here, &self.velocity], self.me.radius);
+        if size_of_val(scene.bodies) > CACHE {
+            self.fetch(crowd);
+        }
         let (mut kept, mut count) = ([0; CROWD], 0);
         for some in crowd.groups() {
             let others = some.map(|k| scene.body(k as usize).unwrap_or(self.me));
@@ -128,6 +134,13 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         for &k in kept.iter().take(count) {
             self.candidate(slot, k as usize, straight);
         }
+    }
+
+    /// Reads something of every grain: all that are in no cache come at the same time.
+    #[inline]
+    fn fetch(&self, crowd: &Crowd) {
+        let bodies = crowd.all().iter().filter_map(|&k| self.scene.body(k as usize));
+        core::hint::black_box(bodies.fold(0, |sum, body| sum ^ body.clock.bits()));
     }
 
     /// Takes the meeting with grain `k` into account.
