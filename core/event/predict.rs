@@ -16,7 +16,8 @@ use crate::number::{Scalar, Vector};
 /// Meetings of grains that nothing holds depend on the two alone, not on when one asks: whatever
 /// finds neighbours, the same events come at the same bits.
 pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: usize) -> Slot<S> {
-    let Some(look) = Look::from(scene, grain) else { return Slot::EMPTY };
+    let Some(me) = scene.body(grain) else { return Slot::EMPTY };
+    let look = Look::from(scene, grain, me);
     let mut slot = Slot::EMPTY;
     scene.cells.crowds(look.me.cell, look.filler(), &mut |crowd| look.crowd(&mut slot, crowd));
     look.planes(&mut slot);
@@ -33,7 +34,8 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     if scene.held > 0 || slot.face == Slot::<S>::NO_FACE {
         return next(scene, grain);
     }
-    let Some(look) = Look::from(scene, grain) else { return Slot::EMPTY };
+    let Some(me) = scene.body(grain) else { return Slot::EMPTY };
+    let look = Look::from(scene, grain, me);
     let stride = Stride::from_code(slot.face);
     let mut slot = slot.only_meeting();
     scene
@@ -46,6 +48,9 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     look.earliest(slot)
 }
 
+/// So many bytes of bodies are held by the cache next to a processor.
+const CACHE: usize = 2 << 20;
+
 /// A look around from one grain.
 struct Look<'a, S: Scalar, const D: usize> {
     scene: &'a Scene<'a, S, D>,
@@ -55,8 +60,6 @@ struct Look<'a, S: Scalar, const D: usize> {
     /// Where it is now and how it flies, if nothing holds it.
     here: Vector<S, D>,
     velocity: Vector<S, D>,
-    /// The grain now; only where some are held.
-    now: Option<Body<S, D>>,
     /// What it does by itself.
     own: Slot<S>,
     /// When it gets out of reach of the neighbours.
@@ -65,12 +68,10 @@ struct Look<'a, S: Scalar, const D: usize> {
 
 impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     #[inline]
-    fn from(scene: &'a Scene<'_, S, D>, grain: usize) -> Option<Self> {
-        let me = scene.body(grain)?;
-        let now = (scene.held > 0).then(|| scene.present(grain));
+    fn from(scene: &'a Scene<'_, S, D>, grain: usize, me: &'a Body<S, D>) -> Self {
         let (here, velocity) = flight::free(me, scene.field(), scene.now);
         let wander = wander::away(scene, me, [&here, &velocity]);
-        Some(Self { scene, grain, me, here, velocity, own: own(scene, me), wander, now })
+        Self { scene, grain, me, here, velocity, own: own(scene, me), wander }
     }
 
     /// How far a search needs to look.
@@ -85,21 +86,30 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     }
 
     /// Takes the meetings with a crowd into account, in the images that are nearest now.
-    #[inline(never)]
+    #[inline]
     fn crowd(&self, slot: &mut Slot<S>, crowd: &Crowd) {
         let straight = crowd.straight || self.scene.boundary.is_open();
-        let held = self.now.as_ref().map(Body::is_held);
-        if held.is_none() && S::RANGE.is_none() {
-            return self.fly(slot, crowd, straight);
+        match self.scene.held {
+            0 if S::RANGE.is_none() => self.fly(slot, crowd, straight),
+            _ => self.closely(slot, crowd, straight),
         }
-        // In fixed point the squares of squares may not fit, and a glance costs what a close look does.
-        for &k in crowd.all() {
-            match self.scene.body(k as usize) {
-                Some(other) if held.is_some_and(|me| me || other.is_held()) => {
-                    self.held(slot, k as usize, other);
-                }
-                _ => self.candidate(slot, k as usize, straight),
+    }
+
+    /// The same if something may hold some of them, or in fixed point: there the squares of squares may not
+    /// fit, and a glance costs what a close look does.
+    #[inline(never)]
+    fn closely(&self, slot: &mut Slot<S>, crowd: &Crowd, straight: bool) {
+        let now = (self.scene.held > 0).then(|| self.scene.present(self.grain));
+        let free = crowd.only(self.filler(), |k| match (self.scene.body(k as usize), &now) {
+            (Some(other), Some(now)) if now.is_held() || other.is_held() => {
+                self.held(slot, k as usize, (now, other));
+                false
             }
+            _ => true,
+        });
+        match S::RANGE {
+            None => self.fly(slot, &free, straight),
+            Some(_) => free.all().iter().for_each(|&k| self.candidate(slot, k as usize, straight)),
         }
     }
 
@@ -109,6 +119,9 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     fn fly(&self, slot: &mut Slot<S>, crowd: &Crowd, straight: bool) {
         let (scene, me) = (self.scene, self.filler());
         let eye = Eye::new(scene, [&self.here, &self.velocity], self.me.radius);
+        if size_of_val(scene.bodies) > CACHE {
+            self.fetch(crowd);
+        }
         let (mut kept, mut count) = ([0; CROWD], 0);
         for some in crowd.groups() {
             let others = some.map(|k| scene.body(k as usize).unwrap_or(self.me));
@@ -121,6 +134,13 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
         for &k in kept.iter().take(count) {
             self.candidate(slot, k as usize, straight);
         }
+    }
+
+    /// Reads something of every grain: all that are in no cache come at the same time.
+    #[inline]
+    fn fetch(&self, crowd: &Crowd) {
+        let bodies = crowd.all().iter().filter_map(|&k| self.scene.body(k as usize));
+        core::hint::black_box(bodies.fold(0, |sum, body| sum ^ body.clock.bits()));
     }
 
     /// Takes the meeting with grain `k` into account.
@@ -149,8 +169,8 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
 
     /// The same if one of the two is held.
     #[inline(never)]
-    fn held(&self, slot: &mut Slot<S>, k: usize, other: &Body<S, D>) {
-        let (scene, Some(now)) = (self.scene, &self.now) else { return };
+    fn held(&self, slot: &mut Slot<S>, k: usize, (now, other): (&Body<S, D>, &Body<S, D>)) {
+        let scene = self.scene;
         if self.is_bound(k, other) {
             return;
         }

@@ -111,7 +111,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     /// their lists after that: a chase from grain to grain and computations with them go badly together.
     #[inline(never)]
     fn within(&self, around: &Around, filler: u32, visit: &mut impl FnMut(&Crowd)) {
-        let mut heads = Heads { first: [filler; CROWD], more: [END; CROWD], count: 0, lists: 0 };
+        let mut crowd = Crowd::new(filler, around.straight);
         let [along @ [first, second, third], near, far] = &around.steps;
         let side_by_side = *second == first + 1 && *third == second + 1;
         for row in far {
@@ -119,16 +119,15 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
                 let three =
                     self.heads.get((row + first) as usize..).and_then(<[u32]>::first_chunk::<3>);
                 if let Some(three) = three.filter(|_| side_by_side) {
-                    three.iter().for_each(|&head| heads.put(head));
+                    three.iter().for_each(|&head| crowd.put(head));
                     continue;
                 }
                 let cells = along.iter().filter_map(|step| self.heads.get((row + step) as usize));
-                cells.for_each(|&head| heads.put(head));
+                cells.for_each(|&head| crowd.put(head));
             }
         }
-        let Heads { first, more, count, lists } = heads;
-        let mut crowd = Crowd { grains: first, count, straight: around.straight };
-        for &first in more.iter().take(lists) {
+        for list in 0..crowd.lists {
+            let first = crowd.more.get(list).copied().unwrap_or(END);
             self.gather(first, &mut crowd, filler, visit);
         }
         crowd.visited(filler, visit);
@@ -150,12 +149,18 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     }
 }
 
-/// The heads of lists: of all that are not empty, and of those with more than one grain.
-struct Heads {
-    first: [u32; CROWD],
-    more: [u32; CROWD],
+/// How many neighbours are visited at a time: a multiple of the lanes, and more than cells are visited at a time.
+pub(crate) const CROWD: usize = 32;
+
+/// Neighbours that have been gathered.
+pub(crate) struct Crowd {
+    grains: [u32; CROWD],
     count: usize,
+    /// The first grains of lists with more than one.
+    more: [u32; CROWD],
     lists: usize,
+    /// Whether they are the nearest images of those in the cell looked from.
+    pub straight: bool,
 }
 
 /// Writes a place that is always there: no check is left of it.
@@ -166,30 +171,23 @@ pub(crate) fn put(places: &mut [u32; CROWD], place: usize, grain: u32) {
     }
 }
 
-impl Heads {
-    /// Takes a head in; one that is of an empty list gives way to the next.
+impl Crowd {
+    /// Nobody yet.
+    #[inline(always)]
+    fn new(filler: u32, straight: bool) -> Self {
+        Self { grains: [filler; CROWD], count: 0, more: [0; CROWD], lists: 0, straight }
+    }
+
+    /// Takes the head of a list in; that of an empty one gives way to the next.
     #[inline(always)]
     fn put(&mut self, head: u32) {
         let grain = head & !MORE;
-        put(&mut self.first, self.count, grain);
+        put(&mut self.grains, self.count, grain);
         put(&mut self.more, self.lists, grain);
         self.count += usize::from(head != END);
         self.lists += (head / MORE) as usize;
     }
-}
 
-/// How many neighbours are visited at a time: a multiple of the lanes, and more than cells are visited at a time.
-pub(crate) const CROWD: usize = 32;
-
-/// Neighbours that have been gathered.
-pub(crate) struct Crowd {
-    grains: [u32; CROWD],
-    count: usize,
-    /// Whether they are the nearest images of those in the cell looked from.
-    pub straight: bool,
-}
-
-impl Crowd {
     /// The grains.
     pub fn all(&self) -> &[u32] {
         self.grains.get(..self.count).unwrap_or_default()
@@ -202,12 +200,28 @@ impl Crowd {
         self.grains.as_chunks().0.iter().take(self.count.div_ceil(LANES))
     }
 
-    /// Lets all be visited.
-    #[inline(never)]
-    fn visited(&mut self, filler: u32, visit: &mut impl FnMut(&Self)) {
+    /// Some of them.
+    pub fn only(&self, filler: u32, mut which: impl FnMut(u32) -> bool) -> Self {
+        let mut few = Self::new(filler, self.straight);
+        for &grain in self.all() {
+            put(&mut few.grains, few.count, grain);
+            few.count += usize::from(which(grain));
+        }
+        few.end(filler);
+        few
+    }
+
+    /// Puts the filler at the end.
+    fn end(&mut self, filler: u32) {
         if let Some(end) = self.grains.get_mut(self.count) {
             *end = filler;
         }
+    }
+
+    /// Lets all be visited.
+    #[inline(never)]
+    fn visited(&mut self, filler: u32, visit: &mut impl FnMut(&Self)) {
+        self.end(filler);
         visit(self);
         self.count = 0;
     }
@@ -217,9 +231,9 @@ impl Crowd {
 #[expect(clippy::cast_possible_truncation, reason = "setup refuses more than MOST_GRAINS")]
 fn everyone(grains: usize, filler: u32, visit: &mut impl FnMut(&Crowd)) {
     for first in (0..grains).step_by(CROWD) {
-        let numbers = core::array::from_fn(|i| (first + i) as u32);
-        let mut crowd =
-            Crowd { grains: numbers, count: CROWD.min(grains - first), straight: false };
+        let mut crowd = Crowd::new(filler, false);
+        crowd.grains = core::array::from_fn(|i| (first + i) as u32);
+        crowd.count = CROWD.min(grains - first);
         crowd.visited(filler, visit);
     }
 }
