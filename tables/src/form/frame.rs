@@ -36,7 +36,7 @@ impl<C: Stored> Frame<C> {
         let one: S = number(1.0);
         let first = kappa / (kappa + self.kappa_scale.get());
         let bend = one + self.bend.get::<S>() * kappa;
-        if !self.wide {
+        if !self.is_wide() {
             let u = c_dis / self.c_dis.get();
             let third = u * bend / (one + (bend - one) * u);
             return [first, self.softness_coordinate(kappa, eta), third];
@@ -53,6 +53,10 @@ impl<C: Stored> Frame<C> {
         }
     }
 
+    fn is_wide(&self) -> bool {
+        C::WIDE && self.wide
+    }
+
     fn softness_coordinate<S: Real>(&self, kappa: S, eta: S) -> S {
         let b: S = self.softness.get();
         eta * (b + b + kappa) / ((b + b) * b)
@@ -61,7 +65,7 @@ impl<C: Stored> Frame<C> {
     /// What the first column is multiplied with to give the duration.
     fn duration<S: Real>(&self, [kappa, _, c_dis]: [S; 3]) -> S {
         let one: S = number(1.0);
-        if self.wide {
+        if self.is_wide() {
             return wide_duration(self.law, kappa, c_dis);
         }
         let push = one + kappa;
@@ -83,7 +87,7 @@ impl<C: Stored> Frame<C> {
         }
         let drag = match self.law {
             Law::LinearDashpot => number::<S>(0.6667) * c_dis,
-            Law::Viscoelastic if self.wide => {
+            Law::Viscoelastic if self.is_wide() => {
                 let root = c_dis.cbrt();
                 number::<S>(0.2777) * c_dis / (push + root * root).sqrt()
             }

@@ -58,6 +58,8 @@ impl<S: Real> Scaled<S> {
 
 /// A number as a table stores it.
 pub trait Stored: Copy + 'static {
+    /// Whether a wide table can be stored so. Where not, its cube roots and logarithms are not linked.
+    const WIDE: bool = true;
     /// The stored value in the number type of the reader.
     fn get<S: Real>(self) -> S;
 }
@@ -79,6 +81,7 @@ impl Stored for f64 {
 pub struct Quanta(pub i32);
 
 impl Stored for Quanta {
+    const WIDE: bool = false;
     #[inline]
     fn get<S: Real>(self) -> S {
         S::from_quanta(self.0)
