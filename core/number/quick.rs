@@ -14,8 +14,8 @@
 //! | [`atan2`] | 2.9e-3 rad | 44, 164 | 84, 248 |
 //! | [`length`] in 2D | up to 6.1 % too long, never too short | 46, 116 | 82, 492 |
 //!
-//! An image that runs [`crate::law::Soft`] in `f32` carries `libm`'s sine, cosine and root anyway: there
-//! `micromath` saves instructions and no flash.
+//! An image that runs [`crate::law::Soft`] in `f32` carries the engine's sine, cosine and root anyway: there
+//! `micromath` saves no flash.
 
 use micromath::F32Ext;
 
