@@ -74,8 +74,8 @@ impl<S: Scalar> Lanes<S> for Each<S> {
     }
     #[inline(always)]
     fn at_least(self, other: Self) -> u32 {
-        let pairs = self.0.iter().zip(other.0).rev();
-        pairs.fold(0, |bits, (&x, y)| bits << 1 | u32::from(x >= y))
+        let pairs = self.0.iter().zip(other.0);
+        pairs.fold(0, |bits, (&x, y)| bits >> 1 | u32::from(x >= y) << (LANES - 1))
     }
 }
 
