@@ -33,7 +33,7 @@ pub struct Each<S>([S; LANES]);
 impl<S: Scalar> Each<S> {
     #[inline(always)]
     fn zip(mut self, other: Self, f: impl Fn(S, S) -> S) -> Self {
-        self.0.iter_mut().zip(other.0).for_each(|(x, y)| *x = f(*x, y));
+        self.0.iter_mut().zip(&other.0).for_each(|(x, y)| *x = f(*x, *y));
         self
     }
 }
@@ -74,8 +74,9 @@ impl<S: Scalar> Lanes<S> for Each<S> {
     }
     #[inline(always)]
     fn at_least(self, other: Self) -> u32 {
-        let pairs = self.0.iter().zip(other.0);
-        pairs.fold(0, |bits, (&x, y)| bits >> 1 | u32::from(x >= y) << (LANES - 1))
+        // Not from the last to the first: that is unreadable to compilers for small machines.
+        let pairs = self.0.iter().zip(&other.0).enumerate();
+        pairs.fold(0, |bits, (lane, (x, y))| bits | u32::from(x >= y) << lane)
     }
 }
 
