@@ -139,7 +139,10 @@ metal() { # directory target table-of-the-tilt-box
   digests=$(compare "$target" "$work/$target" replayed)
   COUNT=1 board "$target" "$image/measure" >"$work/measured" || say "$target: measure failed"
   cp "$work/measured" "$CARGO_TARGET_DIR/$target.measured"
-  COUNT=1 board "$target" "$image/tilt_box" >"$work/tilt" 2>&1 || say "$target: the tilt box failed"
+  # Without counting it sleeps in real time where it is ahead, and is much faster where it is not.
+  local count=1
+  [[ $target == thumbv6m* ]] && count=0
+  COUNT=$count board "$target" "$image/tilt_box" >"$work/tilt" 2>&1 || say "$target: the tilt box failed"
   cp "$work/tilt" "$CARGO_TARGET_DIR/$target.tilt"
   if [[ $(tail -1 "$work/tilt") != "$(value "$table.digest")" ]]; then
     say "$target: the tilt box that sleeps ends elsewhere than the one that is measured" && failed=1

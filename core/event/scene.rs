@@ -84,7 +84,7 @@ impl Counters {
 pub(crate) struct Scene<'m, S: Scalar, const D: usize> {
     pub bodies: &'m mut [Body<S, D>],
     pub cells: Cells<'m, S, D>,
-    pub boundary: Boundary<S, D>,
+    pub boundary: Boundary<'m, S, D>,
     pub gravity: Vector<S, D>,
     /// Whether gravity is zero.
     pub weightless: bool,

@@ -3,7 +3,7 @@
 use super::plane::Plane;
 use crate::number::{Instant, Scalar, Vector, part};
 
-/// How many planes a world can have.
+/// How many planes a world can have, if its memory has place for them.
 pub const MOST_PLANES: usize = 8;
 
 /// A periodic axis from `low` to `low + length`.
@@ -17,28 +17,52 @@ pub struct Periodic<S> {
 }
 
 /// All of a world's boundaries.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Boundary<S: Scalar, const D: usize> {
+#[derive(Debug)]
+pub struct Boundary<'m, S: Scalar, const D: usize> {
     /// Where periodic axes begin.
     low: Vector<S, D>,
     /// How long periodic axes are; zero for the others.
     length: Vector<S, D>,
     /// What rounds a position to the lattice of a periodic axis, see [`Scalar::lattice`]; else zero.
-    #[cfg_attr(feature = "serde", serde(skip, default = "Vector::zeros"))]
     lattice: Vector<S, D>,
-    planes: heapless::Vec<Plane<S, D>, MOST_PLANES>,
+    /// Places for planes, lent by the world's memory.
+    planes: &'m mut [Plane<S, D>],
+    /// How many of them are taken.
+    count: u8,
 }
 
-impl<S: Scalar, const D: usize> Default for Boundary<S, D> {
-    /// Open space.
-    fn default() -> Self {
+/// The boundaries put away.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Kept<S: Scalar, const D: usize> {
+    low: Vector<S, D>,
+    length: Vector<S, D>,
+    pub planes: heapless::Vec<Plane<S, D>, MOST_PLANES>,
+}
+
+impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
+    /// Open space, with places for planes.
+    pub(crate) fn open(planes: &'m mut [Plane<S, D>]) -> Self {
         let zero = Vector::zeros();
-        Self { low: zero, length: zero, lattice: zero, planes: heapless::Vec::new() }
+        Self { low: zero, length: zero, lattice: zero, planes, count: 0 }
     }
-}
 
-impl<S: Scalar, const D: usize> Boundary<S, D> {
+    /// How many planes there can be.
+    pub(crate) fn capacity(&self) -> usize {
+        self.planes.len().min(MOST_PLANES)
+    }
+
+    /// Puts them away.
+    pub(crate) fn keep(&self) -> Kept<S, D> {
+        Kept { low: self.low, length: self.length, planes: self.planes().iter().copied().collect() }
+    }
+
+    /// Takes them up again; false if there is no place for a plane.
+    pub(crate) fn take_up(&mut self, kept: &Kept<S, D>) -> bool {
+        (self.low, self.length, self.count) = (kept.low, kept.length, 0);
+        kept.planes.iter().all(|&plane| self.add_plane(plane))
+    }
+
     /// Makes an axis periodic. Its length is put on the lattice of its positions. An axis that does not
     /// exist is ignored.
     pub(crate) fn set_periodic(&mut self, axis: usize, Periodic { low, length }: Periodic<S>) {
@@ -58,12 +82,21 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
 
     /// Adds a plane; false if there is no place for it.
     pub(crate) fn add_plane(&mut self, plane: Plane<S, D>) -> bool {
-        self.planes.push(plane).is_ok()
+        let (most, number) = (self.capacity(), usize::from(self.count));
+        match self.planes.get_mut(number).filter(|_| number < most) {
+            Some(place) => {
+                *place = plane;
+                self.count += 1;
+                true
+            }
+            None => false,
+        }
     }
 
     /// From now on clocks count from this epoch.
     pub(crate) fn start_epoch(&mut self, epoch: Instant) {
-        for vibration in self.planes.iter_mut().filter_map(|plane| plane.vibration.as_mut()) {
+        let planes = self.planes.iter_mut().take(self.count.into());
+        for vibration in planes.filter_map(|plane| plane.vibration.as_mut()) {
             vibration.start_epoch(epoch);
         }
     }
@@ -77,7 +110,7 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
 
     /// An interval along an axis, its ends put onto the planes that stand across that axis.
     pub(crate) fn between_planes(&self, axis: usize, [mut low, mut high]: [S; 2]) -> [S; 2] {
-        for plane in &self.planes {
+        for plane in self.planes() {
             match plane.normal.get(axis) {
                 Some(&n) if n == S::one() => low = plane.offset,
                 Some(&n) if n == -S::one() => high = -plane.offset,
@@ -90,7 +123,7 @@ impl<S: Scalar, const D: usize> Boundary<S, D> {
     /// The planes, in the order in which they were added.
     #[must_use]
     pub fn planes(&self) -> &[Plane<S, D>] {
-        &self.planes
+        self.planes.get(..self.count.into()).unwrap_or_default()
     }
 
     /// Whether no axis is periodic.

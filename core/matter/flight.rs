@@ -13,7 +13,7 @@ pub struct Field<'a, S: Scalar, const D: usize> {
     /// Whether gravity is zero: what a flight need not be asked.
     pub weightless: bool,
     /// The planes, and how they move.
-    pub boundary: &'a Boundary<S, D>,
+    pub boundary: &'a Boundary<'a, S, D>,
 }
 
 /// Whether there is no gravity.

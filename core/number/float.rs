@@ -1,7 +1,7 @@
 //! How do f32 and f64 count? The engine's operations on the two floating-point types.
 
 use super::lanes::Each;
-use super::{Product, Scalar, Vector};
+use super::{Instant, Product, Scalar, Vector, angle};
 
 const TICKS_PER_UNIT: f64 = 18_446_744_073_709_551_616.0;
 
@@ -21,6 +21,16 @@ fn guess<S: Scalar>(x: S) -> S {
     } else {
         S::from_f32(0.83) - S::from_f32(0.018) * x
     }
+}
+
+/// A float above zero as a whole number and the power of two that it counts.
+macro_rules! parts {
+    ($x:expr, $bits:ty, $mantissa:expr, $t:ty) => {{
+        let bits = $x.to_bits();
+        let exponent = (bits >> $mantissa) & (<$bits>::MAX >> ($mantissa + 1));
+        let mantissa = bits & ((1 << $mantissa) - 1) | (1 << $mantissa);
+        (mantissa, exponent as i32 - (<$t>::MAX_EXP - 1) - $mantissa)
+    }};
 }
 
 macro_rules! float {
@@ -96,10 +106,8 @@ macro_rules! float {
             }
             fn to_ticks(self) -> i128 {
                 // As (self · 2⁶⁴) as i128, which without a unit for f64 is much dearer.
-                let bits = self.to_bits();
-                let exponent = (bits >> $mantissa) & (<$bits>::MAX >> ($mantissa + 1));
-                let mantissa = bits & ((1 << $mantissa) - 1) | (1 << $mantissa);
-                let shift = exponent as i32 - (<$t>::MAX_EXP - 1) - $mantissa + 64;
+                let (mantissa, exponent) = parts!(self, $bits, $mantissa, $t);
+                let shift = exponent + 64;
                 let size = match shift {
                     0.. if self.is_nan() => 0,
                     0.. if shift + $mantissa >= 127 => i128::MAX,
@@ -109,14 +117,18 @@ macro_rules! float {
                 if self < 0.0 { -size } else { size }
             }
             fn from_ticks(ticks: i128) -> Self {
-                // Whole and fractional part apart would round twice; one conversion rounds once.
-                ((ticks as f64) / TICKS_PER_UNIT) as $t
+                ticks as $t * (1.0 / TICKS_PER_UNIT) as $t
+            }
+            fn phase_at(start: Self, frequency: Self, at: Instant) -> Self {
+                let (mantissa, exponent) = parts!(frequency, $bits, $mantissa, $t);
+                let turns = at.turns(i128::from(mantissa), exponent);
+                Self::from_ticks(i128::from(turns.wrapping_add(start.to_ticks() as u64)))
             }
         }
     };
 }
 
-float!(f32, Each<f32>, u32, libm::sincosf, libm::floorf, libm::frexpf, libm::ldexpf, 23, 4);
+float!(f32, Each<f32>, u32, angle::sine_cosine, libm::floorf, libm::frexpf, libm::ldexpf, 23, 4);
 #[cfg(target_arch = "x86_64")]
 type Doubles = wide::f64x2;
 #[cfg(not(target_arch = "x86_64"))]

@@ -47,13 +47,40 @@ impl Instant {
         f64::from_ticks(self.ticks())
     }
 
-    /// How many periods of a frequency have passed, without the whole ones.
-    pub(crate) fn part_of_period(self, frequency: f64) -> f64 {
-        let period = (1.0 / frequency).to_ticks();
-        if period <= 0 {
-            return 0.0;
+    /// How many periods of the frequency `mantissa` · 2^`exponent` have passed, without the whole ones,
+    /// in steps of 2^−64, rounded down: exact but for frequencies far below one.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "whole turns are cut off"
+    )]
+    pub(super) fn turns(self, mantissa: i128, exponent: i32) -> u64 {
+        // Of a product of 128 bits the lower half is a fraction once it is shifted down by 64 at most.
+        let slow = exponent.saturating_add(64).min(0).unsigned_abs().min(127);
+        let product = (self.ticks() >> slow).wrapping_mul(mantissa);
+        let shift = exponent.unsigned_abs() - slow;
+        if exponent < 0 {
+            (product >> shift) as u64
+        } else {
+            product.checked_shl(shift).unwrap_or(0) as u64
         }
-        f64::from_ticks(self.ticks().rem_euclid(period)) / f64::from_ticks(period)
+    }
+
+    /// How often a timer with this many counts in a time unit has counted since the start, rounded down:
+    /// until when firmware can sleep. Before the start it is zero.
+    ///
+    /// ```
+    /// use carom::Instant;
+    /// assert_eq!(Instant::from(1.5_f32).counts(32_768), 49_152); // seconds, a watch crystal
+    /// ```
+    #[must_use]
+    #[expect(clippy::cast_sign_loss, reason = "checked")]
+    pub fn counts(self, per_unit: u32) -> u64 {
+        if self.whole < 0 {
+            return 0;
+        }
+        let part = (u128::from(self.part) * u128::from(per_unit)) >> 64;
+        (self.whole as u64).saturating_mul(u64::from(per_unit)).saturating_add(part as u64)
     }
 
     /// Whether this is visibly after another instant: by more than 2^−48 of its own age.

@@ -1,12 +1,13 @@
 //! What is a value? The operations the engine uses on numbers; reads nothing, writes nothing.
 //!
 //! Everything above this room is written against [`Scalar`]: `f32`, `f64` and, with the feature `fixed`,
-//! `I32F32` and `I16F16`. All transcendental functions come from software (`libm`), so a target
+//! `I32F32` and `I16F16`. All transcendental functions come from software, so a target
 //! with a floating-point unit gives the same bits as one without; fixed point uses no float at all.
 //!
 //! Squares and other products have a type of their own, [`Product`]: the sums, differences, roots and
 //! quotients in which a fixed-point number would overflow or lose its last places are taken from it.
 
+mod angle;
 #[cfg(feature = "fixed")]
 mod fixed;
 mod float;
@@ -91,7 +92,7 @@ pub trait Scalar:
 
     /// Whether this is a number that can be computed with: neither NaN nor infinite.
     fn is_number(self) -> bool;
-    /// Sine and cosine of an angle in radians.
+    /// Sine and cosine of an angle in radians; of an `f32` beyond ±6400, which is a thousand turns, NaN.
     fn sine_cosine(self) -> (Self, Self);
     /// The largest whole number not above this one.
     fn round_down(self) -> Self;
@@ -147,10 +148,7 @@ pub trait Scalar:
         turns - turns.round_down()
     }
     /// The phase in turns, without the whole ones, at an instant.
-    fn phase_at(start: Self, frequency: Self, at: Instant) -> Self {
-        let turn = start.to_f64() + at.part_of_period(frequency.to_f64());
-        Self::from_f64(turn - libm::floor(turn))
-    }
+    fn phase_at(start: Self, frequency: Self, at: Instant) -> Self;
     /// The smallest step of a search: an acceleration `bound` changes a distance of this size by less
     /// than its rounding meanwhile.
     fn least_step(size: Self, bound: Self) -> Self {

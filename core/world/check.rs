@@ -8,9 +8,10 @@ use crate::number::{Instant, Scalar, Vector, dot, norm};
 fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Result<(), Fault> {
     let subject = Subject::Plane(number);
     finite(subject, "normal", &plane.normal)?;
-    let length = dot(&plane.normal, &plane.normal).to_f64();
-    if (length - 1.0).abs() > 1e-5_f64.max(8.0 * S::RESOLUTION.to_f64()) {
-        return Err(Fault::input(subject, "normal's length squared", length, "1"));
+    let length = dot(&plane.normal, &plane.normal);
+    let rounding = S::RESOLUTION * S::from_f32(8.0);
+    if !((length - S::one()).magnitude() <= S::from_f32(1e-5).larger(rounding)) {
+        return Err(Fault::input(subject, "normal's length squared", length.to_f64(), "1"));
     }
     if !plane.offset.is_number() {
         return Err(Fault::input(subject, "offset", plane.offset.to_f64(), "a finite number"));
@@ -33,7 +34,7 @@ fn vibration<S: Scalar>(v: &Vibration<S>, subject: Subject) -> Result<(), Fault>
         }
     }
     let f = v.frequency;
-    let exact = Instant::from(S::one() / f).as_f64() > 0.0;
+    let exact = Instant::from(S::one() / f) > Instant::START;
     if !(f > S::zero() && f.is_number() && exact) {
         return Err(Fault::input(subject, "frequency", f.to_f64(), "above 0 and below 2^63"));
     }

@@ -1,8 +1,9 @@
 //! Who owns the arrays? The only type with a capacity; reads nothing, lends slices.
 
 use crate::event::Slot;
-use crate::matter::Body;
+use crate::matter::boundary::MOST_PLANES;
 use crate::matter::cells::Link;
+use crate::matter::{Body, Plane, Surface};
 use crate::number::Scalar;
 
 /// What a world borrows. The shortest slice but `heads` says how many grains fit.
@@ -17,6 +18,8 @@ pub struct Room<'m, S: Scalar, const D: usize> {
     pub links: &'m mut [Link],
     /// One word for each cell: as many as grains are enough, with fewer the cells are larger.
     pub heads: &'m mut [u32],
+    /// One place for each plane; eight are enough.
+    pub planes: &'m mut [Plane<S, D>],
 }
 
 impl<S: Scalar, const D: usize> Room<'_, S, D> {
@@ -36,37 +39,49 @@ pub trait Lend<S: Scalar, const D: usize> {
     fn lend(&mut self) -> Room<'_, S, D>;
 }
 
-/// Memory for at most `N` grains, owned in place: no allocator.
+/// Memory for at most `N` grains and `P` planes, owned in place: no allocator.
+///
+/// A box in two dimensions has four planes, one in three has six; there can be eight, and a world
+/// that needs fewer can save their places:
+///
+/// ```
+/// use carom::Memory;
+/// let small = Memory::<f32, 2, 32, 4>::default();
+/// assert_eq!(size_of_val(&Memory::<f32, 2, 32>::new()) - size_of_val(&small), 4 * 40);
+/// ```
 #[derive(Clone, Debug)]
-pub struct Memory<S: Scalar, const D: usize, const N: usize> {
+pub struct Memory<S: Scalar, const D: usize, const N: usize, const P: usize = MOST_PLANES> {
     bodies: [Body<S, D>; N],
     slots: [Slot<S>; N],
     tree: [u32; N],
     links: [Link; N],
     heads: [u32; N],
+    planes: [Plane<S, D>; P],
 }
 
 impl<S: Scalar, const D: usize, const N: usize> Memory<S, D, N> {
-    /// Empty memory.
+    /// Empty memory with places for all planes there can be.
     #[must_use]
     pub fn new() -> Self {
+        Self::default()
+    }
+}
+
+impl<S: Scalar, const D: usize, const N: usize, const P: usize> Default for Memory<S, D, N, P> {
+    /// Empty memory.
+    fn default() -> Self {
         Self {
             bodies: [Body::default(); N],
             slots: [Slot::EMPTY; N],
             tree: [0; N],
             links: [Link::default(); N],
             heads: [0; N],
+            planes: [Plane::new([S::zero(); D], S::zero(), Surface::Rule); P],
         }
     }
 }
 
-impl<S: Scalar, const D: usize, const N: usize> Default for Memory<S, D, N> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: Scalar, const D: usize, const N: usize> Lend<S, D> for Memory<S, D, N> {
+impl<S: Scalar, const D: usize, const N: usize, const P: usize> Lend<S, D> for Memory<S, D, N, P> {
     fn lend(&mut self) -> Room<'_, S, D> {
         Room {
             bodies: &mut self.bodies,
@@ -74,6 +89,7 @@ impl<S: Scalar, const D: usize, const N: usize> Lend<S, D> for Memory<S, D, N> {
             tree: &mut self.tree,
             links: &mut self.links,
             heads: &mut self.heads,
+            planes: &mut self.planes,
         }
     }
 }

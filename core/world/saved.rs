@@ -6,8 +6,9 @@ use crate::event::scene::{Counters, Release};
 use crate::event::{Kind, Slot};
 use crate::fault::{Fault, Subject};
 use crate::law::Rule;
+use crate::matter::boundary::Kept;
 use crate::matter::grid::Grid;
-use crate::matter::{Body, Boundary, Partner};
+use crate::matter::{Body, Partner};
 use crate::number::{Instant, Scalar, Vector};
 
 /// The whole state of a world but its rule. With the feature `serde` it can be serialised.
@@ -24,7 +25,7 @@ use crate::number::{Instant, Scalar, Vector};
     ))
 )]
 pub struct Saved<S: Scalar, const D: usize, B, Q> {
-    boundary: Boundary<S, D>,
+    boundary: Kept<S, D>,
     grid: Option<Grid<S, D>>,
     gravity: Vector<S, D>,
     now: S,
@@ -45,7 +46,7 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
     #[must_use]
     pub fn save(&self) -> Saved<S, D, &[Body<S, D>], &[Slot<S>]> {
         Saved {
-            boundary: self.scene.boundary.clone(),
+            boundary: self.scene.boundary.keep(),
             grid: self.scene.cells.grid,
             gravity: self.scene.gravity,
             now: self.scene.now,
@@ -78,12 +79,14 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         Q: AsRef<[Slot<S>]>,
     {
         let (bodies, slots) = (saved.bodies.as_ref(), saved.slots.as_ref());
-        let planes = saved.boundary.planes().len();
+        let planes = saved.boundary.planes.len();
         check(bodies, slots, saved.now, planes)?;
         check_counters(&saved.counters)?;
         let mut setup =
             World::setup(memory).rule(rule).grains(bodies.iter().map(Body::as_grain))?;
-        setup.boundary = saved.boundary.clone();
+        if !setup.boundary.take_up(&saved.boundary) {
+            return Err(setup.no_plane_more());
+        }
         setup.gravity = saved.gravity;
         let mut world = setup.release(saved.release).tc(saved.t_c).build()?;
         world.scene.bodies.copy_from_slice(bodies);

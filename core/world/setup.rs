@@ -21,7 +21,7 @@ pub struct NoRule;
 pub struct Setup<'m, S: Scalar, const D: usize, R> {
     room: Room<'m, S, D>,
     count: usize,
-    pub(super) boundary: Boundary<S, D>,
+    pub(super) boundary: Boundary<'m, S, D>,
     pub(super) gravity: Vector<S, D>,
     release: Release,
     t_c: S,
@@ -33,10 +33,12 @@ pub struct Setup<'m, S: Scalar, const D: usize, R> {
 impl<'m, S: Scalar, const D: usize> World<'m, S, D, NoRule> {
     /// Begins to describe a world that will live in this memory.
     pub fn setup(memory: &'m mut impl Lend<S, D>) -> Setup<'m, S, D, NoRule> {
+        let mut room = memory.lend();
+        let boundary = Boundary::open(core::mem::take(&mut room.planes));
         Setup {
-            room: memory.lend(),
+            room,
             count: 0,
-            boundary: Boundary::default(),
+            boundary,
             gravity: Vector::zeros(),
             release: Release::default(),
             t_c: S::zero(),
@@ -71,10 +73,19 @@ impl<'m, S: Scalar, const D: usize, R> Setup<'m, S, D, R> {
     #[must_use]
     pub fn plane(mut self, plane: Plane<S, D>) -> Self {
         if !self.boundary.add_plane(plane) {
-            let knob = "the list of planes (carom::matter::boundary::MOST_PLANES)";
-            self.note(Err(Fault::Full { knob, capacity: MOST_PLANES }));
+            self.note(Err(self.no_plane_more()));
         }
         self
+    }
+
+    pub(super) fn no_plane_more(&self) -> Fault {
+        let capacity = self.boundary.capacity();
+        let knob = if capacity < MOST_PLANES {
+            "the memory's places for planes (P of Memory, or the host's vectors)"
+        } else {
+            "the list of planes (carom::matter::boundary::MOST_PLANES)"
+        };
+        Fault::Full { knob, capacity }
     }
 
     /// A box that is periodic along every axis: `[low, high]` for each.
@@ -196,7 +207,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> Setup<'m, S, D, R> {
         for axis in 0..D {
             boundary.periodic(axis).into_iter().for_each(|p| boundary.set_periodic(axis, p));
         }
-        let Room { bodies, slots, tree, links, heads } = self.room;
+        let Room { bodies, slots, tree, links, heads, .. } = self.room;
         let bodies = bodies.get_mut(..self.count).unwrap_or_default();
         let slots = slots.get_mut(..self.count).unwrap_or_default();
         let tree = tree.get_mut(..self.count).unwrap_or_default();

@@ -129,7 +129,7 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
 
     /// The boundaries.
     #[must_use]
-    pub fn boundary(&self) -> &Boundary<S, D> {
+    pub fn boundary(&self) -> &Boundary<'_, S, D> {
         &self.scene.boundary
     }
 

@@ -1,11 +1,11 @@
 //! What does the firmware of every family do? The tilt box and its measurements; reads a chip, writes text.
 
 use carom::law::tables::Table;
-use carom::{Fault, Memory, World};
+use carom::{Fault, World};
 use carom_scenes::Number;
 use carom_scenes::measure::{self, Cost};
 use carom_scenes::scene::Rubber;
-use carom_scenes::tilt::{self, Board, GRAINS, READINGS};
+use carom_scenes::tilt::{self, Board, READINGS};
 use semihosting::println;
 
 use crate::stack::Painted;
@@ -36,7 +36,7 @@ pub fn measure_all<S: Number>(
     stack: usize,
     board: &mut impl Board,
 ) {
-    println!("memory {}", size_of::<Memory<S, 2, GRAINS>>());
+    println!("memory {}", size_of::<tilt::Box32<S>>());
     println!("world {}", size_of::<World<'_, S, 2, Rubber<S>>>());
     for (name, table) in tables {
         measure::<S>(name, table, stack, board);

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 ./build.sh
-[ -d node_modules ] || npm ci --silent --no-audit --no-fund
+[ -e node_modules/.bin/tsc ] || npm ci --silent --no-audit --no-fund
 if ! command -v chromium >/dev/null; then
   apt-get update -qq
   apt-get install -qq -y --no-install-recommends chromium >/dev/null

@@ -1,8 +1,9 @@
 //! Where does a world of any size live on a workstation? Owns vectors; lends them to the engine.
 
 use carom::event::Slot;
-use carom::matter::Body;
+use carom::matter::boundary::MOST_PLANES;
 use carom::matter::cells::Link;
+use carom::matter::{Body, Plane, Surface};
 use carom::world::Room;
 use carom::{Lend, Scalar};
 
@@ -27,6 +28,7 @@ pub struct Storage<S: Scalar, const D: usize> {
     tree: Vec<u32>,
     links: Vec<Link>,
     heads: Vec<u32>,
+    planes: Vec<Plane<S, D>>,
 }
 
 impl<S: Scalar, const D: usize> Storage<S, D> {
@@ -39,6 +41,7 @@ impl<S: Scalar, const D: usize> Storage<S, D> {
             tree: vec![0; grains],
             links: vec![Link::default(); grains],
             heads: vec![0; 2 * grains],
+            planes: vec![Plane::new([S::zero(); D], S::zero(), Surface::Rule); MOST_PLANES],
         }
     }
 }
@@ -51,6 +54,7 @@ impl<S: Scalar, const D: usize> Lend<S, D> for Storage<S, D> {
             tree: &mut self.tree,
             links: &mut self.links,
             heads: &mut self.heads,
+            planes: &mut self.planes,
         }
     }
 }

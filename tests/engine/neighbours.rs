@@ -3,8 +3,8 @@
 use super::gas::{damped_spring, elastic_spring, gas, rubber};
 use carom::event::Slot;
 use carom::law::{HardSphere, Outside, Rule, Soft};
-use carom::matter::Body;
 use carom::matter::cells::Link;
+use carom::matter::{Body, Plane, Surface};
 use carom::world::Room;
 use carom::{Grain, Lend, Scalar, World};
 
@@ -15,6 +15,7 @@ struct Heads<S: Scalar, const D: usize> {
     tree: Vec<u32>,
     links: Vec<Link>,
     heads: Vec<u32>,
+    planes: Vec<Plane<S, D>>,
 }
 
 impl<S: Scalar, const D: usize> Heads<S, D> {
@@ -25,6 +26,7 @@ impl<S: Scalar, const D: usize> Heads<S, D> {
             tree: vec![0; grains],
             links: vec![Link::default(); grains],
             heads: vec![0; heads],
+            planes: vec![Plane::new([S::zero(); D], S::zero(), Surface::Rule); 8],
         }
     }
 }
@@ -37,6 +39,7 @@ impl<S: Scalar, const D: usize> Lend<S, D> for Heads<S, D> {
             tree: &mut self.tree,
             links: &mut self.links,
             heads: &mut self.heads,
+            planes: &mut self.planes,
         }
     }
 }

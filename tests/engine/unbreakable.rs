@@ -114,6 +114,7 @@ struct Short {
     tree: Vec<u32>,
     links: Vec<Link>,
     heads: Vec<u32>,
+    planes: Vec<Plane<f64, 1>>,
 }
 
 impl Lend<f64, 1> for Short {
@@ -124,6 +125,7 @@ impl Lend<f64, 1> for Short {
             tree: &mut self.tree,
             links: &mut self.links,
             heads: &mut self.heads,
+            planes: &mut self.planes,
         }
     }
 }
@@ -138,11 +140,27 @@ fn a_short_slice_is_a_full_memory() {
             tree: vec![0; n(2)],
             links: vec![Link::default(); n(3)],
             heads: vec![],
+            planes: vec![],
         };
         let setup = World::setup(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
         let second = setup.grain(Grain::with_mass(0.5, 1.0).at([2.0]));
         assert!(matches!(second, Err(Fault::Full { capacity: 1, .. })), "slice {short}");
     }
+}
+
+#[test]
+fn a_plane_without_a_place_is_refused() {
+    let start = |walls: usize| {
+        let mut memory = Memory::<f64, 2, 1, 3>::default();
+        let mut setup = World::setup(&mut memory);
+        for wall in 0..walls {
+            let normal = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][wall];
+            setup = setup.plane(Plane::new(normal, -5.0, Surface::Rule));
+        }
+        setup.rule(ELASTIC).grain(Grain::with_mass(0.5, 1.0)).unwrap().start().map(|_| ())
+    };
+    assert_eq!(start(3), Ok(()));
+    assert!(matches!(start(4), Err(Fault::Full { capacity: 3, .. })));
 }
 
 #[test]

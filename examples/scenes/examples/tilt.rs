@@ -20,7 +20,7 @@ impl Board for Terminal {
             let _ = std::io::stdout().write_all(text);
         }
     }
-    fn sleep_until(&mut self, _milliseconds: f64) {}
+    fn sleep_until(&mut self, _: carom::Instant) {}
     fn instructions(&mut self) -> u64 {
         0
     }

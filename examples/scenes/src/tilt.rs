@@ -2,9 +2,9 @@
 
 use carom::law::tables::Table;
 use carom::law::{Outside, Rule, Soft, Viscoelastic};
-use carom::{Fault, Instant, Lend, Memory, Scalar, World};
+use carom::{Fault, Grain, Instant, Lend, Memory, Scalar, World};
 
-use crate::scene::{GRAVITY, Number, Rubber, grain, n, v};
+use crate::scene::{GRAVITY, Number, Rubber, n};
 
 /// Young's modulus of glass, 63 GPa, in these units (10.472 kPa: the mass of a bead of 1 mm and 2.5 g/cm³,
 /// by mm and ms²).
@@ -31,18 +31,20 @@ const READINGS_A_FRAME: u32 = 4;
 pub trait Board {
     /// Shows text.
     fn write(&mut self, text: &[u8]);
-    /// Sleeps until that many milliseconds after the start; returns at once if that is over.
-    fn sleep_until(&mut self, milliseconds: f64);
+    /// Sleeps until that instant, in milliseconds after the start; returns at once if that is over.
+    fn sleep_until(&mut self, instant: Instant);
     /// How many instructions have been executed since the start. To be asked now and then.
     fn instructions(&mut self) -> u64;
 }
 
 /// The grain at one of the 36 sites of a lattice in the box; radii from 0.6 to 1.2 mm.
 #[must_use]
-pub fn site<S: Scalar>(k: u32) -> carom::Grain<S, 2> {
-    let odd = f64::from(k * 11 % 32);
-    let at = [2.0 + 4.0 * f64::from(k % 6), 2.0 + 4.0 * f64::from(k / 6)];
-    grain(0.6 + 0.6 / 31.0 * odd, at, [0.01 * (odd - 15.5), 0.01 * (16.0 - f64::from(k))])
+pub fn site<S: Scalar>(k: u32) -> Grain<S, 2> {
+    let (odd, part) = (S::from_count(k * 11 % 32), n::<S>(0.01));
+    let radius = n::<S>(0.6) + n::<S>(0.6 / 31.0) * odd;
+    Grain::with_mass(radius, radius * radius * radius)
+        .at([k % 6, k / 6].map(|place| S::from_count(2 + 4 * place)))
+        .moving([part * (odd - n(15.5)), part * (n::<S>(16.0) - S::from_count(k))])
 }
 
 /// Glass, read from this table.
@@ -51,13 +53,16 @@ fn glass<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
     Soft::with_table(law, table, Outside::HardSphere)
 }
 
-/// Memory for the grains of the tilt box.
+/// The memory of the tilt box: its grains and its four walls.
+pub type Box32<S> = Memory<S, 2, GRAINS, 4>;
+
+/// Memory for the tilt box.
 ///
 /// Not inlined, as [`tilt_box`]: the copy that is made of it does not stay on the stack.
 #[inline(never)]
 #[must_use]
-pub fn memory<S: Scalar>() -> Memory<S, 2, GRAINS> {
-    Memory::new()
+pub fn memory<S: Scalar>() -> Box32<S> {
+    Memory::default()
 }
 
 /// The tilt box.
@@ -72,7 +77,7 @@ pub fn tilt_box<'m, S: Number>(
     table: &'static Table<S::Stored>,
 ) -> Result<World<'m, S, 2, Rubber<S>>, Fault> {
     World::setup(memory)
-        .walls([v([0.0, f64::from(SIDE)]); 2])
+        .walls([[S::zero(), S::from_count(SIDE)]; 2])
         .gravity(accelerometer(0))
         .rule(glass(table))
         .grains((0..GRAINS as u32).map(site))?
@@ -84,20 +89,21 @@ pub fn tilt_box<'m, S: Number>(
 #[must_use]
 pub fn accelerometer<S: Scalar>(reading: u32) -> [S; 2] {
     // Gravity along an axis at 0, 11.25, ... 90 degrees.
-    const SINE: [f64; 9] = [
+    const SINE: [f32; 9] = [
         0.0,
-        0.195_090_32 * GRAVITY,
-        0.382_683_43 * GRAVITY,
-        0.555_570_23 * GRAVITY,
-        core::f64::consts::FRAC_1_SQRT_2 * GRAVITY,
-        0.831_469_61 * GRAVITY,
-        0.923_879_53 * GRAVITY,
-        0.980_785_28 * GRAVITY,
-        GRAVITY,
+        0.195_090_32,
+        0.382_683_43,
+        0.555_570_23,
+        core::f32::consts::FRAC_1_SQRT_2,
+        0.831_469_61,
+        0.923_879_53,
+        0.980_785_28,
+        1.0,
     ];
     let sine = |turn: u32| {
         let part = (turn % 16) as usize;
         let value = SINE.get(part.min(16 - part)).copied().unwrap_or(0.0);
+        let value = S::from_f32(value) * n(GRAVITY);
         if turn % 32 < 16 { value } else { -value }
     };
     let turn = match reading % 56 {
@@ -105,13 +111,14 @@ pub fn accelerometer<S: Scalar>(reading: u32) -> [S; 2] {
         rocked @ 6..18 => 32 + 12 - rocked,
         rocked => rocked + 8,
     };
-    v([sine(turn), -sine(turn + 8)])
+    [sine(turn), -sine(turn + 8)]
 }
 
 /// The instant of a reading.
 #[must_use]
 pub fn instant(reading: u32) -> Instant {
-    Instant::from(f64::from(reading * BETWEEN_READINGS))
+    // Exact: below 2²⁴.
+    Instant::from((reading * BETWEEN_READINGS) as f32)
 }
 
 /// Plays the script on a board: sleeps until the next event, and shows the box now and then.
@@ -127,10 +134,10 @@ pub fn play<S: Scalar, R: Rule<S>>(
         world.set_gravity(accelerometer(reading))?;
         let end = instant(reading + 1);
         while let Some(next) = world.next_event_time().filter(|next| *next < end) {
-            board.sleep_until(next.as_f64());
+            board.sleep_until(next);
             world.advance_to(next)?;
         }
-        board.sleep_until(end.as_f64());
+        board.sleep_until(end);
         world.advance_to(end)?;
         if reading % READINGS_A_FRAME == 0 {
             show(world, board);
@@ -143,8 +150,8 @@ pub fn play<S: Scalar, R: Rule<S>>(
 fn show<S: Scalar, R: Rule<S>>(world: &World<'_, S, 2, R>, board: &mut impl Board) {
     let mut lamps = [[b'.'; LAMPS]; LAMPS];
     for grain in (0..GRAINS).filter_map(|k| world.grain(k)) {
-        let pitch = f64::from(SIDE) / LAMPS as f64;
-        let at = |x: S| ((x.to_f64() / pitch) as usize).min(LAMPS - 1);
+        let lamps_a_millimetre = n::<S>(LAMPS as f64 / f64::from(SIDE));
+        let at = |x: S| ((x * lamps_a_millimetre).to_count() as usize).min(LAMPS - 1);
         let lamp = lamps.get_mut(LAMPS - 1 - at(grain.position.y));
         if let Some(lamp) = lamp.and_then(|row| row.get_mut(at(grain.position.x))) {
             *lamp = if *lamp == b'.' { b'o' } else { b'O' };

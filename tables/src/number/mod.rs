@@ -58,6 +58,18 @@ pub trait Real:
 /// The step of the numbers in a quantised table, 2^−28.
 pub const QUANTUM: f64 = 1.0 / 268_435_456.0;
 
+/// By Halley's rule from a first guess in the bits; `libm`'s takes an `f64`, which a unit for `f32` has not.
+fn cube_root(x: f32) -> f32 {
+    if !(x > 0.0 && x.is_finite()) {
+        return if x == 0.0 { 0.0 } else { f32::NAN };
+    }
+    let guess = f32::from_bits(x.to_bits() / 3 + 0x2A51_19F2);
+    (0..2).fold(guess, |y, _| {
+        let q = y * y * y / x;
+        y + y * ((1.0 - q) / (1.0 + (q + q)))
+    })
+}
+
 impl Real for f32 {
     fn from_f32(value: f32) -> Self {
         value
@@ -72,7 +84,7 @@ impl Real for f32 {
         libm::sqrtf(self)
     }
     fn cbrt(self) -> Self {
-        libm::cbrtf(self)
+        cube_root(self)
     }
     fn ln_1p(self) -> Self {
         libm::log1pf(self)
@@ -121,5 +133,23 @@ impl Real for f64 {
     #[inline]
     fn rounded(precise: Self) -> Self {
         precise
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Real;
+
+    #[test]
+    fn cube_roots_are_within_one_unit_in_the_last_place() {
+        for k in 0..200_000 {
+            let x = libm::exp2(-125.0 + 252.0 / 200_000.0 * f64::from(k)) as f32;
+            let (root, exact) = (f64::from(Real::cbrt(x)), libm::cbrt(f64::from(x)));
+            assert!((root / exact - 1.0).abs() < 1.2e-7, "{x}: {root}");
+        }
+        assert_eq!(
+            (Real::cbrt(0.0_f32), Real::cbrt(1.0_f32), Real::cbrt(27.0_f32)),
+            (0.0, 1.0, 3.0)
+        );
     }
 }

@@ -124,6 +124,5 @@ where
         judge.look(other, draw)?;
     }
     judge.clock(copy.now());
-    drop(world);
     play(copy, rule, draw, judge, depth + 1)
 }

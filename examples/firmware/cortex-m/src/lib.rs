@@ -8,6 +8,7 @@ pub mod replay;
 #[path = "../../stack.rs"]
 pub mod stack;
 
+use carom::Instant;
 use carom::law::tables::{Embedded, Table};
 use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
@@ -99,8 +100,8 @@ impl Board for Chip {
         text.iter().for_each(|&byte| sys_writec(byte));
     }
 
-    fn sleep_until(&mut self, milliseconds: f64) {
-        let end = (milliseconds * f64::from(self.ticks_per_millisecond)) as u64;
+    fn sleep_until(&mut self, instant: Instant) {
+        let end = instant.counts(self.ticks_per_millisecond);
         loop {
             let rest = end.saturating_sub(self.ticks());
             if rest < 64 {

@@ -8,6 +8,7 @@ pub mod replay;
 #[path = "../../stack.rs"]
 pub mod stack;
 
+use carom::Instant;
 use carom::law::tables::{Embedded, Table};
 use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
@@ -44,8 +45,8 @@ impl Board for Chip {
 
     /// Waits: with `-icount shift=0` one instruction takes one virtual nanosecond. A board with a
     /// timer of its own would set it and execute `wfi`, as the Cortex-M package does.
-    fn sleep_until(&mut self, milliseconds: f64) {
-        let end = (milliseconds * 1.0e6) as u64;
+    fn sleep_until(&mut self, instant: Instant) {
+        let end = instant.counts(1_000_000);
         while self.instructions() < end {
             core::hint::spin_loop();
         }
