@@ -19,7 +19,7 @@ pub(crate) fn next<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>, grain: us
     let Some(me) = scene.body(grain) else { return Slot::EMPTY };
     let look = Look::from(scene, grain, me);
     let mut slot = Slot::EMPTY;
-    scene.cells.crowds(look.me.cell, look.filler(), &mut |crowd| look.crowd(&mut slot, crowd));
+    scene.cells.crowds(&look.at, look.filler(), &mut |crowd| look.crowd(&mut slot, crowd));
     look.planes(&mut slot);
     look.earliest(slot)
 }
@@ -38,9 +38,7 @@ pub(crate) fn ahead<S: Scalar, const D: usize>(
     let look = Look::from(scene, grain, me);
     let stride = Stride::from_code(slot.face);
     let mut slot = slot.only_meeting();
-    scene
-        .cells
-        .ahead(look.me.cell, stride, look.filler(), &mut |crowd| look.crowd(&mut slot, crowd));
+    scene.cells.ahead(&look.at, stride, look.filler(), &mut |crowd| look.crowd(&mut slot, crowd));
     if scene.boundary.planes().iter().any(|plane| plane.vibration.is_some()) {
         // The search for a plate goes no further than to the next cell.
         look.planes(&mut slot);
@@ -57,6 +55,8 @@ struct Look<'a, S: Scalar, const D: usize> {
     grain: usize,
     /// The grain at its own clock.
     me: &'a Body<S, D>,
+    /// Its cell's numbers along the axes.
+    at: [u32; D],
     /// Where it is now and how it flies, if nothing holds it.
     here: Vector<S, D>,
     velocity: Vector<S, D>,
@@ -70,8 +70,9 @@ impl<'a, S: Scalar, const D: usize> Look<'a, S, D> {
     #[inline]
     fn from(scene: &'a Scene<'_, S, D>, grain: usize, me: &'a Body<S, D>) -> Self {
         let (here, velocity) = flight::free(me, scene.field(), scene.now);
-        let wander = wander::away(scene, me, [&here, &velocity]);
-        Self { scene, grain, me, here, velocity, own: own(scene, me), wander }
+        let at = scene.cells.coordinates(me.cell);
+        let wander = wander::away(scene, me, &at, [&here, &velocity]);
+        Self { scene, grain, me, at, here, velocity, own: own(scene, me), wander }
     }
 
     /// How far a search needs to look.

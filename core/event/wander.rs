@@ -13,10 +13,11 @@ use crate::number::{Scalar, Vector, part};
 pub(super) fn away<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
     me: &Body<S, D>,
+    at: &[u32; D],
     free: [&Vector<S, D>; 2],
 ) -> Slot<S> {
     let first = match &scene.cells.grid {
-        Some(grid) => crossing(scene, grid, me, free),
+        Some(grid) => crossing(scene, (grid, at), me, free),
         None => leash(scene, me).map(|span| (span, Slot::<S>::NO_FACE)),
     };
     let Some((span, face)) = range::within(scene, me, first) else { return Slot::EMPTY };
@@ -30,25 +31,24 @@ pub(super) fn away<S: Scalar, const D: usize>(
 #[inline]
 fn crossing<S: Scalar, const D: usize>(
     scene: &Scene<'_, S, D>,
-    grid: &Grid<S, D>,
+    (grid, at): (&Grid<S, D>, &[u32; D]),
     body: &Body<S, D>,
     [position, velocity]: [&Vector<S, D>; 2],
 ) -> Option<(S, u8)> {
     if body.is_held() {
         return shaken_crossing(scene, grid, &flight::at(body, scene.field(), scene.now));
     }
-    let at = grid.coordinates(body.cell);
     let mut first = (S::NEVER, Slot::<S>::NO_FACE);
     for axis in 0..D {
         let [x, v, a] = [position, velocity, &scene.gravity].map(|vector| part(vector, axis));
         if a == S::zero() {
             let stride = Stride { axis, up: v > S::zero() };
-            let (face, is_open) = grid.face_ahead(&at, stride);
+            let (face, is_open) = grid.face_ahead(at, stride);
             let span = ((face - x) / v).larger(S::zero());
             sooner(&mut first, span, stride, is_open & (v != S::zero()));
             continue;
         }
-        let [low, high] = grid.faces(&at, axis, x);
+        let [low, high] = grid.faces(at, axis, x);
         for (gap, v, a, up) in [(low, v, a, false), (high, -v, -a, true)] {
             if let Some(span) = gap.and_then(|gap| root::plane(gap, v, a)) {
                 sooner(&mut first, span, Stride { axis, up }, true);

@@ -84,25 +84,37 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
 
     /// Visits all grains in this cell and its neighbours; all grains, if there is no grid.
     pub fn near(&self, cell: u32, mut visit: impl FnMut(usize)) {
-        self.crowds(cell, END, &mut |crowd: &Crowd| {
+        self.crowds(&self.coordinates(cell), END, &mut |crowd: &Crowd| {
             crowd.all().iter().for_each(|&grain| visit(grain as usize));
         });
     }
 
-    /// The same in crowds, filled up with a number of one's choice.
+    /// A cell's numbers along the axes; zeros without a grid.
     #[inline]
-    pub fn crowds(&self, cell: u32, filler: u32, visit: &mut impl FnMut(&Crowd)) {
+    pub fn coordinates(&self, cell: u32) -> [u32; D] {
+        self.grid.as_ref().map_or([0; D], |grid| grid.coordinates(cell))
+    }
+
+    /// The same for the cell with these numbers along the axes, in crowds, filled up with a number of one's choice.
+    #[inline]
+    pub fn crowds(&self, at: &[u32; D], filler: u32, visit: &mut impl FnMut(&Crowd)) {
         match &self.grid {
             None => everyone(self.links.len(), filler, visit),
-            Some(grid) => self.within(&grid.around(&grid.coordinates(cell)), filler, visit),
+            Some(grid) => self.within(&grid.around(at), filler, visit),
         }
     }
 
     /// The same after a grain has come into this cell: only those that were not near before.
     #[inline]
-    pub fn ahead(&self, cell: u32, stride: Stride, filler: u32, visit: &mut impl FnMut(&Crowd)) {
+    pub fn ahead(
+        &self,
+        at: &[u32; D],
+        stride: Stride,
+        filler: u32,
+        visit: &mut impl FnMut(&Crowd),
+    ) {
         let Some(grid) = &self.grid else { return };
-        self.within(&grid.ahead(&grid.coordinates(cell), stride), filler, visit);
+        self.within(&grid.ahead(at, stride), filler, visit);
     }
 
     /// Visits the grains of these cells.
