@@ -1,4 +1,4 @@
-//! How does a lasting contact begin? Reads two bodies and an outcome; writes both, turned and bound (E^φ).
+//! How does a lasting contact begin, and go on when gravity changes? Reads two bodies and an outcome; writes both, turned and bound (E^φ).
 
 use super::apply::Affected;
 use super::scene::Scene;
