@@ -10,12 +10,15 @@
 //! No allocator, no unsafe code, no panic: the same engine on a microcontroller and a workstation.
 //!
 //! # The rooms, each looks down only
-//! * [`number`]: what a value is.
-//! * [`matter`]: what moves, and in which space.
+//! * [`scalar`]: what a value is.
+//! * [`particle`]: what moves.
+//! * [`space`]: where it is: boundaries, free flight, cells.
 //! * [`law`]: what a contact does.
-//! * [`event`]: predict, queue, apply.
+//! * `detect`: when something happens; it only reads.
+//! * `schedule`: who is next.
+//! * `resolve`: what happens then; it writes.
 //! * [`world`]: the user's handle.
-//! * [`fault`]: every way it can say no.
+//! * [`error`]: every way it can say no.
 //!
 //! # Example: a viscoelastic pair
 //! ```
@@ -24,7 +27,7 @@
 //!
 //! let rubber = Viscoelastic { young: 5.0e6, poisson: 0.4, dissipation: 1.0e-4 };
 //! let mut memory = Memory::<f32, 2, 32>::new();
-//! let mut world = World::setup(&mut memory)
+//! let mut world = World::builder(&mut memory)
 //!     .walls([[0.0, 0.05], [0.0, 0.05]])
 //!     .gravity([0.0, -9.81])
 //!     .rule(Soft::viscoelastic(rubber, Outside::HardSphere))
@@ -34,8 +37,8 @@
 //! world.advance_to(0.1)?;
 //! world.set_gravity([9.81, 0.0])?; // between events, in the middle of a contact too
 //! world.advance_to(0.2)?;
-//! assert!(world.counters().plane_collisions > 0);
-//! # Ok::<(), carom::Fault>(())
+//! assert!(world.statistics().plane_collisions > 0);
+//! # Ok::<(), carom::Error>(())
 //! ```
 #![no_std]
 #![warn(
@@ -60,15 +63,17 @@
 #[cfg(test)]
 extern crate std;
 
-pub mod event;
-pub mod fault;
+pub mod detect;
+pub mod error;
 pub mod law;
-pub mod matter;
-pub mod number;
+pub mod particle;
+mod resolve;
+pub mod scalar;
+mod schedule;
+pub mod space;
 pub mod world;
 
-pub use event::{Counters, Release};
-pub use fault::Fault;
-pub use matter::Grain;
-pub use number::{Instant, Scalar};
-pub use world::{Lend, Memory, View, Watch, World};
+pub use error::Error;
+pub use particle::Grain;
+pub use scalar::{Instant, Scalar};
+pub use world::{Memory, Observer, Storage, View, World};

@@ -1,8 +1,8 @@
 //! What do hard spheres do? Instantaneous collisions with constant or velocity-dependent restitution.
 
-use super::{Answer, Encounter, Response, Rule};
-use crate::fault::{Fault, Subject};
-use crate::number::Scalar;
+use super::rule::{Answer, Impact, Response, Rule};
+use crate::error::{Error, Subject};
+use crate::scalar::Scalar;
 
 /// Hard spheres with a constant coefficient of restitution (eMD).
 ///
@@ -17,16 +17,16 @@ pub struct HardSphere<S> {
 }
 
 impl<S: Scalar> Rule<S> for HardSphere<S> {
-    fn meet(&self, _: &Encounter<S>) -> Answer<S> {
-        Answer::sure(Response::Instant(self.restitution))
+    fn collide(&self, _: &Impact<S>) -> Answer<S> {
+        Answer::exact(Response::Instantaneous(self.restitution))
     }
 
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Error> {
         let e = self.restitution;
         if e >= S::zero() && e <= S::one() {
             return Ok(());
         }
-        Err(Fault::input(Subject::Rule, "restitution", e.to_f64(), "between 0 and 1"))
+        Err(Error::input(Subject::Rule, "restitution", e.to_f64(), "between 0 and 1"))
     }
 }
 
@@ -37,17 +37,17 @@ impl<S: Scalar> Rule<S> for HardSphere<S> {
 pub struct Central<R>(pub R);
 
 impl<S: Scalar, R: Rule<S>> Rule<S> for Central<R> {
-    fn meet(&self, encounter: &Encounter<S>) -> Answer<S> {
-        let central = Encounter { tangential_speed: S::zero(), ..*encounter };
-        let answer = self.0.meet(&central);
+    fn collide(&self, impact: &Impact<S>) -> Answer<S> {
+        let central = Impact { tangential_speed: S::zero(), ..*impact };
+        let answer = self.0.collide(&central);
         let response = match answer.response {
-            Response::Lasting(outcome) => Response::Instant(outcome.restitution),
+            Response::Lasting(outcome) => Response::Instantaneous(outcome.restitution),
             other => other,
         };
         Answer { response, ..answer }
     }
 
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Error> {
         self.0.check()
     }
 }

@@ -1,8 +1,8 @@
-//! Which rule holds between two materials? Reads the materials of an encounter; asks the pair's rule.
+//! Which rule holds between two materials? Reads the materials of an impact; asks the pair's rule.
 
-use super::{Answer, Encounter, Rule};
-use crate::fault::{Fault, Subject};
-use crate::number::Scalar;
+use super::rule::{Answer, Impact, Response, Rule};
+use crate::error::{Error, Subject};
+use crate::scalar::Scalar;
 
 /// A rule for each pair of `M` materials.
 ///
@@ -20,16 +20,16 @@ impl<R, const M: usize> ByMaterial<R, M> {
 }
 
 impl<S: Scalar, R: Rule<S>, const M: usize> Rule<S> for ByMaterial<R, M> {
-    fn meet(&self, encounter: &Encounter<S>) -> Answer<S> {
-        match self.rule(encounter.materials) {
-            Some(rule) => rule.meet(encounter),
-            None => Answer::sure(super::Response::Instant(S::one())),
+    fn collide(&self, impact: &Impact<S>) -> Answer<S> {
+        match self.rule(impact.materials) {
+            Some(rule) => rule.collide(impact),
+            None => Answer::exact(Response::Instantaneous(S::one())),
         }
     }
 
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Error> {
         if M == 0 {
-            return Err(Fault::input(Subject::Rule, "materials", 0.0, "at least 1"));
+            return Err(Error::input(Subject::Rule, "materials", 0.0, "at least 1"));
         }
         self.0.iter().flatten().try_for_each(Rule::check)
     }

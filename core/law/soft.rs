@@ -1,18 +1,19 @@
-//! What does a soft contact do? The matrix of restitution of MP13 from a table; reads an encounter, writes its outcome.
+//! What does a soft contact do? The matrix of restitution of MP13 from a table; reads an impact, writes its outcome.
 
-use super::force::{ForceLaw, Scales};
-use super::{Answer, Encounter, LinearDashpot, Response, Rule, Trust, Viscoelastic, tables};
-use crate::fault::Fault;
-use crate::law::tables::Embedded;
-use crate::number::Scalar;
+use super::embedded::{self, Embedded};
+use super::rule::{Answer, Impact, Response, Rule, Validity};
+use super::scales::{ForceLaw, LinearDashpot, Scales, Viscoelastic};
+use crate::error::Error;
+use crate::scalar::Scalar;
 use carom_tables::{Groups, Table};
 
-/// What to do with an encounter outside the table's domain. It is counted in any case.
+/// What to do with an impact outside the table's domain. It is counted in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Outside {
-    /// Stop with a fault.
+    /// Stop with an error.
     Reject,
-    /// Use the nearest encounter inside the domain.
+    /// Use the nearest impact inside the domain.
     Clamp,
     /// Use the hard-sphere rule with the restitution of the (clamped) central collision.
     HardSphere,
@@ -56,16 +57,16 @@ impl<S, L, C> Rule<S> for Soft<L, C>
 where
     S: Scalar,
     L: ForceLaw<S>,
-    C: tables::Number,
+    C: embedded::Number,
 {
-    fn meet(&self, encounter: &Encounter<S>) -> Answer<S> {
-        let scales = self.law.scales(encounter);
-        if let Some(quantity) = scales.overflow(encounter) {
-            return Answer::sure(Response::Overflow(quantity));
+    fn collide(&self, impact: &Impact<S>) -> Answer<S> {
+        let scales = self.law.scales(impact);
+        if let Some(quantity) = scales.overflow(impact) {
+            return Answer::exact(Response::Overflow(quantity));
         }
-        let groups = encounter.groups(&scales);
+        let groups = impact.groups(&scales);
         if let Some(found) = self.table.read(&groups) {
-            return Answer::sure(Response::Lasting(scales.outcome(&found)));
+            return Answer::exact(Response::Lasting(scales.outcome(&found)));
         }
         match self.outside {
             Outside::Reject => refused(&groups),
@@ -74,17 +75,17 @@ where
         }
     }
 
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Error> {
         self.law.check()
     }
 }
 
-impl<L, C: tables::Number> Soft<L, C> {
+impl<L, C: embedded::Number> Soft<L, C> {
     fn clamped<S: Scalar>(&self, groups: &Groups<S>, scales: &Scales<S>) -> Answer<S> {
         match self.table.read_nearest(groups) {
             Some(found) => Answer {
                 response: Response::Lasting(scales.outcome(&found)),
-                trust: Trust::Clamped,
+                validity: Validity::Clamped,
             },
             None => refused(groups),
         }
@@ -93,9 +94,10 @@ impl<L, C: tables::Number> Soft<L, C> {
     fn central<S: Scalar>(&self, groups: &Groups<S>) -> Answer<S> {
         let central = Groups { sin: S::zero(), cos: S::one(), eta: S::zero(), c_dis: groups.c_dis };
         match self.table.read_nearest(&central) {
-            Some(found) => {
-                Answer { response: Response::Instant(found.speed), trust: Trust::HardSphere }
-            }
+            Some(found) => Answer {
+                response: Response::Instantaneous(found.speed),
+                validity: Validity::HardSphere,
+            },
             None => refused(groups),
         }
     }
@@ -103,5 +105,5 @@ impl<L, C: tables::Number> Soft<L, C> {
 
 fn refused<S: Scalar>(groups: &Groups<S>) -> Answer<S> {
     let response = Response::Refused { eta: groups.eta, c_dis: groups.c_dis };
-    Answer { response, trust: Trust::HardSphere }
+    Answer { response, validity: Validity::HardSphere }
 }

@@ -1,47 +1,47 @@
 //! What is wrong with this? Reads grains, boundaries and gravity; writes nothing, names the first bad field.
 
-use crate::event::scene::Scene;
-use crate::fault::{Fault, Subject};
-use crate::matter::{Body, Boundary, Grain, Partner, Plane, Surface, Vibration};
-use crate::number::{Instant, Scalar, Vector, dot, norm};
+use crate::error::{Error, Subject};
+use crate::particle::{Body, Grain, Partner};
+use crate::scalar::{Instant, Scalar, Vector, dot, norm};
+use crate::space::{Boundary, Domain, Particles, Plane, Surface, Vibration};
 
-fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Result<(), Fault> {
+fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Result<(), Error> {
     let subject = Subject::Plane(number);
     finite(subject, "normal", &plane.normal)?;
     let length = dot(&plane.normal, &plane.normal);
     let rounding = S::RESOLUTION * S::from_f32(8.0);
-    if !((length - S::one()).magnitude() <= S::from_f32(1e-5).larger(rounding)) {
-        return Err(Fault::input(subject, "normal's length squared", length.to_f64(), "1"));
+    if !((length - S::one()).abs() <= S::from_f32(1e-5).max(rounding)) {
+        return Err(Error::input(subject, "normal's length squared", length.to_f64(), "1"));
     }
-    if !plane.offset.is_number() {
-        return Err(Fault::input(subject, "offset", plane.offset.to_f64(), "a finite number"));
+    if !plane.offset.is_finite() {
+        return Err(Error::input(subject, "offset", plane.offset.to_f64(), "a finite number"));
     }
     if let Some(vibration) = &plane.vibration {
         self::vibration(vibration, subject)?;
     }
     match plane.surface {
         Surface::Hard(e) if !(e >= S::zero() && e <= S::one()) => {
-            Err(Fault::input(subject, "restitution", e.to_f64(), "between 0 and 1"))
+            Err(Error::input(subject, "restitution", e.to_f64(), "between 0 and 1"))
         }
         _ => Ok(()),
     }
 }
 
-fn vibration<S: Scalar>(v: &Vibration<S>, subject: Subject) -> Result<(), Fault> {
+fn vibration<S: Scalar>(v: &Vibration<S>, subject: Subject) -> Result<(), Error> {
     for (field, value) in [("amplitude", v.amplitude), ("phase", v.phase)] {
-        if !value.is_number() {
-            return Err(Fault::input(subject, field, value.to_f64(), "a finite number"));
+        if !value.is_finite() {
+            return Err(Error::input(subject, field, value.to_f64(), "a finite number"));
         }
     }
     let f = v.frequency;
     let exact = Instant::from(S::one() / f) > Instant::START;
-    if !(f > S::zero() && f.is_number() && exact) {
-        return Err(Fault::input(subject, "frequency", f.to_f64(), "above 0 and below 2^63"));
+    if !(f > S::zero() && f.is_finite() && exact) {
+        return Err(Error::input(subject, "frequency", f.to_f64(), "above 0 and below 2^63"));
     }
     let jerk = v.peak_acceleration() * v.angular_frequency() * v.angular_frequency();
-    if !(jerk.is_number() && jerk < S::NEVER) {
+    if !(jerk.is_finite() && jerk < S::NEVER) {
         let wanted = "small enough that amplitude times the fourth power of 2 pi f is a number";
-        return Err(Fault::input(subject, "frequency", f.to_f64(), wanted));
+        return Err(Error::input(subject, "frequency", f.to_f64(), wanted));
     }
     Ok(())
 }
@@ -49,17 +49,17 @@ fn vibration<S: Scalar>(v: &Vibration<S>, subject: Subject) -> Result<(), Fault>
 pub(super) fn grain<S: Scalar, const D: usize>(
     grain: &Grain<S, D>,
     number: usize,
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     let subject = Subject::Grain(number);
     for (field, value) in [("radius", grain.radius), ("mass", grain.mass)] {
         fits(subject, field, value)?;
-        if !(value > S::zero() && value.is_number()) {
-            return Err(Fault::input(subject, field, value.to_f64(), "finite and above 0"));
+        if !(value > S::zero() && value.is_finite()) {
+            return Err(Error::input(subject, field, value.to_f64(), "finite and above 0"));
         }
         if S::RANGE.is_some() && value < S::RESOLUTION * S::from_f32(1024.0) {
             let wanted =
                 "at least 1024 steps of the fixed-point number: choose a smaller unit for it";
-            return Err(Fault::input(subject, field, value.to_f64(), wanted));
+            return Err(Error::input(subject, field, value.to_f64(), wanted));
         }
     }
     finite(subject, "position", &grain.position)?;
@@ -74,22 +74,22 @@ pub(super) fn space<S: Scalar, const D: usize>(
     boundary: &Boundary<S, D>,
     gravity: &Vector<S, D>,
     radius: S,
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     finite(Subject::World, "gravity", gravity)?;
     for (number, plane) in boundary.planes().iter().enumerate() {
         self::plane(plane, number)?;
     }
     for (axis, periodic) in boundary.periodic_axes() {
         let length = periodic.length;
-        let leash = Boundary::<S, D>::leash(&periodic, radius);
-        let roomy = leash >= radius * S::from_f32(0.125) && leash > S::zero();
-        if !(periodic.low.is_number() && length.is_number() && roomy) {
-            return Err(Fault::input(Subject::Axis(axis), "length", length.to_f64(), LENGTH));
+        let max_displacement = Boundary::<S, D>::max_displacement(&periodic, radius);
+        let roomy = max_displacement >= radius * S::from_f32(0.125) && max_displacement > S::zero();
+        if !(periodic.low.is_finite() && length.is_finite() && roomy) {
+            return Err(Error::input(Subject::Axis(axis), "length", length.to_f64(), LENGTH));
         }
         let across = |plane: &Plane<S, D>| plane.normal.get(axis).is_some_and(|&n| n != S::zero());
         if let Some(number) = boundary.planes().iter().position(across) {
             let wanted = "along every periodic axis: a plane cannot stand across one";
-            return Err(Fault::input(Subject::Plane(number), "normal", axis as f64, wanted));
+            return Err(Error::input(Subject::Plane(number), "normal", axis as f64, wanted));
         }
     }
     Ok(())
@@ -100,12 +100,12 @@ pub(super) fn inside<S: Scalar, const D: usize>(
     boundary: &Boundary<S, D>,
     grain: usize,
     body: &Body<S, D>,
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     for (axis, p) in boundary.periodic_axes() {
         let x = body.position.get(axis).copied().unwrap_or(p.low);
         if !(x >= p.low && x <= p.low + p.length) {
             let wanted = "near enough to the periodic box to be told from its images";
-            return Err(Fault::input(Subject::Grain(grain), "position", x.to_f64(), wanted));
+            return Err(Error::input(Subject::Grain(grain), "position", x.to_f64(), wanted));
         }
     }
     Ok(())
@@ -114,23 +114,26 @@ pub(super) fn inside<S: Scalar, const D: usize>(
 /// No two bodies may overlap by more than the rounding of their positions: a few places of the lattice
 /// of a periodic box. So little is harmless (BSFP14), and the state of another run, written out and
 /// read in again, has it.
-pub(super) fn overlaps<S: Scalar, const D: usize>(scene: &Scene<'_, S, D>) -> Result<(), Fault> {
-    let ends = scene.boundary.periodic_axes().map(|(_, p)| (p.low, p.low + p.length));
-    let far = ends.fold(scene.largest_radius, |far, (low, high)| {
-        far.larger(low.magnitude()).larger(high.magnitude())
-    });
-    for (a, body) in scene.bodies.iter().enumerate() {
+pub(super) fn overlaps<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    now: S,
+) -> Result<(), Error> {
+    let ends = domain.boundary.periodic_axes().map(|(_, p)| (p.low, p.low + p.length));
+    let far =
+        ends.fold(particles.largest_radius, |far, (low, high)| far.max(low.abs()).max(high.abs()));
+    for (a, body) in particles.bodies.iter().enumerate() {
         let mut checked = Ok(());
-        scene.cells.near(body.cell, |b| {
-            if let Some(other) = scene.body(b).filter(|_| b < a && checked.is_ok()) {
-                let apart = scene.separation(body, other);
+        particles.cells.for_each_near(body.cell, |b| {
+            if let Some(other) = particles.body(b).filter(|_| b < a && checked.is_ok()) {
+                let apart = domain.separation(body, other);
                 let gap = norm(&apart) - (body.radius + other.radius);
                 checked = refuse_overlap((a, body), Partner::grain(b), gap, far);
             }
         });
         checked?;
-        for (p, plane) in scene.boundary.planes().iter().enumerate() {
-            let gap = plane.gap(&body.position, body.radius, scene.now);
+        for (p, plane) in domain.boundary.planes().iter().enumerate() {
+            let gap = plane.gap(&body.position, body.radius, now);
             refuse_overlap((a, body), Partner::plane(p), gap, far)?;
         }
     }
@@ -142,19 +145,19 @@ fn refuse_overlap<S: Scalar, const D: usize>(
     with: Partner,
     gap: S,
     far: S,
-) -> Result<(), Fault> {
-    let far = body.position.iter().fold(far, |far, x| far.larger(x.magnitude()));
+) -> Result<(), Error> {
+    let far = body.position.iter().fold(far, |far, x| far.max(x.abs()));
     let rounding = far.rounding() * S::from_f32(32.0);
     if gap >= -rounding {
         return Ok(());
     }
-    Err(Fault::Overlap { grain, with, gap: gap.to_f64() })
+    Err(Error::Overlap { grain, with, gap: gap.to_f64() })
 }
 
 /// What is no number in fixed point is one that was too large.
-fn fits<S: Scalar>(subject: Subject, field: &'static str, value: S) -> Result<(), Fault> {
+fn fits<S: Scalar>(subject: Subject, field: &'static str, value: S) -> Result<(), Error> {
     match S::RANGE {
-        Some(most) if !value.in_range() => Err(Fault::overflow(subject, field, most.to_f64())),
+        Some(most) if !value.in_range() => Err(Error::overflow(subject, field, most.to_f64())),
         _ => Ok(()),
     }
 }
@@ -163,10 +166,10 @@ fn finite<S: Scalar, const D: usize>(
     subject: Subject,
     field: &'static str,
     v: &Vector<S, D>,
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     v.iter().try_for_each(|&x| fits(subject, field, x))?;
-    match v.iter().find(|x| !x.is_number()) {
-        Some(x) => Err(Fault::input(subject, field, x.to_f64(), "a finite number")),
+    match v.iter().find(|x| !x.is_finite()) {
+        Some(x) => Err(Error::input(subject, field, x.to_f64(), "a finite number")),
         None => Ok(()),
     }
 }

@@ -1,8 +1,8 @@
 //! Are two worlds the same to the last bit? Reads the whole state; writes one number.
 
-use super::World;
-use crate::matter::Body;
-use crate::number::{Scalar, Vector};
+use super::state::World;
+use crate::particle::Body;
+use crate::scalar::{Scalar, Vector};
 
 /// FNV-1a with 64 bits.
 struct Fnv(u64);
@@ -23,16 +23,16 @@ impl Fnv {
     }
 
     fn body<S: Scalar, const D: usize>(&mut self, body: &Body<S, D>, position: &Vector<S, D>) {
-        for v in [position, &body.velocity, &body.release] {
+        for v in [position, &body.velocity, &body.velocity_change] {
             self.vector(v);
         }
-        for x in [body.clock, body.release_at, body.moment, body.radius, body.mass] {
+        for x in [body.clock, body.contact_end, body.reference_time, body.radius, body.mass] {
             self.number(x);
         }
         self.word(u64::from(body.partner.word()));
         self.word(u64::from(body.material));
         self.word(u64::from(body.planes));
-        self.word(u64::from(body.burst));
+        self.word(u64::from(body.consecutive_collisions));
     }
 }
 
@@ -40,21 +40,21 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
     /// A digest of the whole state: equal states have equal digests on every target.
     ///
     /// It covers time, gravity, plates and every grain: its own clock, its state then, the contact it is
-    /// in. Pending events and cells follow from them, and the counters are not covered: worlds that find
+    /// in. Pending events and cells follow from them, and the statistics are not covered: worlds that find
     /// neighbours in different ways have the same digest.
     #[must_use]
     pub fn digest(&self) -> u64 {
         let mut fnv = Fnv(0xcbf2_9ce4_8422_2325);
-        let ticks = self.scene.epoch.words();
+        let ticks = self.clock.epoch.words();
         fnv.word(ticks.0);
         fnv.word(ticks.1);
-        fnv.number(self.scene.now);
-        fnv.vector(&self.scene.gravity);
-        let plates = self.scene.boundary.planes().iter().filter_map(|plane| plane.vibration);
-        plates.for_each(|plate| fnv.number(plate.at(self.scene.now).place));
-        let boundary = &self.scene.boundary;
-        let inside = |body: &Body<S, D>| boundary.wrap_from_afar(body.position);
-        self.scene.bodies.iter().for_each(|body| fnv.body(body, &inside(body)));
+        fnv.number(self.clock.now);
+        fnv.vector(self.domain.gravity());
+        let plates = self.domain.boundary.planes().iter().filter_map(|plane| plane.vibration);
+        plates.for_each(|plate| fnv.number(plate.at(self.clock.now).place));
+        let boundary = &self.domain.boundary;
+        let inside = |body: &Body<S, D>| boundary.wrap_from_far(body.position);
+        self.particles.bodies.iter().for_each(|body| fnv.body(body, &inside(body)));
         fnv.0
     }
 }

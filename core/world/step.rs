@@ -1,13 +1,16 @@
-//! And then? One event after the other; reads the queue, writes the scene and the queue.
+//! And then? One event after the other; reads the queue, writes the world.
 
-use super::World;
-use super::watch::{Happening, View, Watch};
-use crate::event::apply::{self, Affected, Deed};
-use crate::event::{Counters, Kind, Slot, order, support, wake};
-use crate::fault::{Fault, Subject};
+use super::observe::{Event, Observer};
+use super::state::World;
+use super::statistics::Statistics;
+use super::view::View;
+use crate::detect::{EventKind, ScheduledEvent};
+use crate::error::{Error, Subject};
 use crate::law::Rule;
-use crate::matter::Grain;
-use crate::number::{Instant, Scalar};
+use crate::particle::Grain;
+use crate::resolve::{self, Context, Effects, EventOutcome};
+use crate::scalar::{Instant, Scalar};
+use crate::schedule::first_of_instant;
 
 /// Events that a grain can have at one instant, on average, before the world is called stuck.
 const EVENTS_AT_ONCE: u32 = 4096;
@@ -16,20 +19,20 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// The next event happens; none if nothing will ever happen again.
     ///
     /// # Errors
-    /// [`Fault::Stuck`], [`Fault::OutsideTable`], [`Fault::BadRule`], [`Fault::NotFinite`].
-    pub fn step(&mut self) -> Result<Option<Happening<S>>, Fault> {
-        self.step_watched(&mut ())
+    /// [`Error::Stuck`], [`Error::OutsideTable`], [`Error::InvalidOutcome`], [`Error::NotFinite`].
+    pub fn step(&mut self) -> Result<Option<Event<S>>, Error> {
+        self.step_observed(&mut ())
     }
 
-    /// As [`World::step`], watched.
+    /// As [`World::step`], observed.
     ///
     /// # Errors
     /// As [`World::step`].
-    pub fn step_watched(
+    pub fn step_observed(
         &mut self,
-        watch: &mut impl Watch<S, D>,
-    ) -> Result<Option<Happening<S>>, Fault> {
-        self.step_until(S::NEVER, watch)
+        observer: &mut impl Observer<S, D>,
+    ) -> Result<Option<Event<S>>, Error> {
+        self.step_within(S::NEVER, observer)
     }
 
     /// Everything up to and including this instant happens, and it becomes the present: exactly, or as
@@ -38,160 +41,170 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// It does not matter in how many calls one gets there: the state is the same to the last bit.
     ///
     /// # Errors
-    /// As [`World::step`], and [`Fault::Past`].
-    pub fn advance_to(&mut self, instant: impl Into<Instant>) -> Result<(), Fault> {
-        self.advance_watched(instant, &mut ())
+    /// As [`World::step`], and [`Error::Past`].
+    pub fn advance_to(&mut self, instant: impl Into<Instant>) -> Result<(), Error> {
+        self.advance_observed(instant, &mut ())
     }
 
-    /// As [`World::advance_to`], watched.
+    /// As [`World::advance_to`], observed.
     ///
     /// # Errors
     /// As [`World::advance_to`].
-    pub fn advance_watched(
+    pub fn advance_observed(
         &mut self,
         instant: impl Into<Instant>,
-        watch: &mut impl Watch<S, D>,
-    ) -> Result<(), Fault> {
+        observer: &mut impl Observer<S, D>,
+    ) -> Result<(), Error> {
         let asked = instant.into();
         let now = self.now();
         if asked < now {
-            return Err(Fault::Past { asked, now });
+            return Err(Error::Past { asked, now });
         }
-        let mut epoch = self.scene.epoch;
+        let mut epoch = self.clock.epoch;
         let mut limit = asked.span_since(epoch);
-        while self.step_until(limit, watch)?.is_some() {
-            if self.scene.epoch != epoch {
-                epoch = self.scene.epoch;
+        while self.step_within(limit, observer)?.is_some() {
+            if self.clock.epoch != epoch {
+                epoch = self.clock.epoch;
                 limit = asked.span_since(epoch);
             }
         }
         loop {
-            let span: S = asked.span_since(self.scene.epoch);
-            self.scene.now = self.scene.now.larger(span.smaller(S::LATE));
+            let span: S = asked.span_since(self.clock.epoch);
+            self.clock.move_to(span.min(S::LATE));
             if !(span > S::LATE) {
                 return Ok(());
             }
-            self.set_clocks_back(self.scene.now);
+            self.set_clocks_back(self.clock.now);
             self.predict_all();
         }
     }
 
     /// The next event that is due by `limit` happens.
-    fn step_until(
+    fn step_within(
         &mut self,
         limit: S,
-        watch: &mut impl Watch<S, D>,
-    ) -> Result<Option<Happening<S>>, Fault> {
-        let Some((grain, slot)) = self.due(limit) else { return Ok(None) };
-        self.move_clock(grain, &slot)?;
-        let mut happening =
-            Happening { at: self.now(), grain, partner: slot.with(), kind: slot.kind, deed: None };
-        watch.before(&happening, View { scene: &self.scene });
-        let mut affected = Affected::default();
-        happening.deed = Some(self.apply(grain, &slot, &mut affected)?);
-        self.reschedule(&affected)?;
-        if slot.kind == Kind::Wander {
-            if S::RANGE.is_some() {
-                self.still_a_number(grain)?;
-            }
-            let next = self.predict_ahead(grain, slot);
-            self.queue.set(grain, next);
+        observer: &mut impl Observer<S, D>,
+    ) -> Result<Option<Event<S>>, Error> {
+        let Some((grain, due)) = self.due(limit) else { return Ok(None) };
+        self.move_clock(grain, &due)?;
+        let (at, partner, kind) = (self.now(), due.with(), due.kind);
+        let mut event = Event { at, grain, partner, kind, outcome: None };
+        observer.before(&event, self.view());
+        let mut effects = Effects::default();
+        let outcome = self.resolve(grain, &due, &mut effects);
+        self.statistics.count(&effects.incidents);
+        event.outcome = Some(outcome?);
+        self.predict_affected(&effects)?;
+        if kind.is_bookkeeping() {
+            self.renew_prediction(grain, due)?;
         }
-        watch.after(&happening, View { scene: &self.scene });
-        self.keep_time(slot.kind);
-        Ok(Some(happening))
+        observer.after(&event, self.view());
+        self.keep_time(kind);
+        Ok(Some(event))
     }
 
-    /// The earliest event, if it is due by `limit`; void ones are predicted anew on the way.
-    fn due(&mut self, limit: S) -> Option<(usize, Slot<S>)> {
+    /// The earliest event, if it is due by `limit`; stale ones are predicted anew on the way.
+    fn due(&mut self, limit: S) -> Option<(usize, ScheduledEvent<S>)> {
         loop {
             let grain = self.queue.first()?;
-            let slot = self.queue.slot(grain);
-            if slot.kind == Kind::Nothing || !(slot.time <= limit) {
+            let event = self.queue.event(grain);
+            if event.kind == EventKind::Nothing || !(event.time <= limit) {
                 return None;
             }
-            let stale = match order::fastest(&self.scene, &self.queue, grain, &slot) {
-                Ok(fastest) => {
-                    let first = self.queue.slot(fastest);
-                    let faster = fastest != grain && first.kind == Kind::Meet;
-                    self.scene.counters.reordered += u64::from(faster);
-                    return Some((fastest, first));
+            let queued = (grain, &event);
+            let stale = match first_of_instant(&self.particles, &self.domain, &self.queue, queued) {
+                Ok(first) => {
+                    let due = self.queue.event(first);
+                    let faster = first != grain && due.kind == EventKind::Collision;
+                    self.statistics.reordered += u64::from(faster);
+                    return Some((first, due));
                 }
                 Err(stale) => stale,
             };
-            let grain = stale;
-            self.scene.counters.stale += 1;
-            self.scene.now = self.scene.now.larger(slot.time);
-            let slot = self.predict(grain);
-            self.queue.set(grain, slot);
+            self.statistics.stale += 1;
+            self.clock.move_to(event.time);
+            let event = self.predict(stale);
+            self.queue.set(stale, event);
         }
     }
 
     /// The event's time becomes the present, which never goes back; too many before time moves on
-    /// visibly, by 2^−48 of the world's age, are a fault.
-    fn move_clock(&mut self, grain: usize, slot: &Slot<S>) -> Result<(), Fault> {
-        self.scene.now = self.scene.now.larger(slot.time);
-        self.at_once = self.at_once.saturating_add(1);
-        let grains = u32::try_from(self.scene.bodies.len()).unwrap_or(u32::MAX);
-        if self.at_once <= EVENTS_AT_ONCE.saturating_mul(grains) {
+    /// visibly, by 2^−48 of the world's age, are an error.
+    fn move_clock(&mut self, grain: usize, event: &ScheduledEvent<S>) -> Result<(), Error> {
+        self.clock.move_to(event.time);
+        self.progress.at_once = self.progress.at_once.saturating_add(1);
+        let grains = u32::try_from(self.particles.bodies.len()).unwrap_or(u32::MAX);
+        if self.progress.at_once <= EVENTS_AT_ONCE.saturating_mul(grains) {
             return Ok(());
         }
-        let (at, events) = (self.now(), self.at_once);
-        if !at.is_visibly_after(self.mark) {
-            return Err(Fault::Stuck { grain, with: slot.with(), at, events });
+        let (at, events) = (self.now(), self.progress.at_once);
+        if !at.is_visibly_after(self.progress.last_visible) {
+            return Err(Error::Stuck { grain, with: event.with(), at, events });
         }
-        (self.mark, self.at_once) = (at, 0);
+        (self.progress.last_visible, self.progress.at_once) = (at, 0);
         Ok(())
     }
 
-    fn apply(
+    /// What the event does to the bodies, and what it leaves to be done.
+    fn resolve(
         &mut self,
         grain: usize,
-        slot: &Slot<S>,
-        affected: &mut Affected,
-    ) -> Result<Deed<S>, Fault> {
-        let scene = &mut self.scene;
-        match slot.kind {
-            Kind::Meet => apply::meet(scene, &self.rule, grain, slot.partner, affected),
-            Kind::Release => Ok(apply::release(scene, grain, affected)),
-            Kind::TakeOff => Ok(wake::take_off(scene, grain, affected)),
-            Kind::Check => Ok(wake::check(scene, grain, affected)),
-            Kind::Wander | Kind::Nothing => Ok(apply::wander(scene, grain, slot.face)),
-        }
+        event: &ScheduledEvent<S>,
+        effects: &mut Effects,
+    ) -> Result<EventOutcome<S>, Error> {
+        let mut context = Context {
+            particles: &mut self.particles,
+            domain: &self.domain,
+            clock: &self.clock,
+            parameters: &self.parameters,
+            effects,
+        };
+        resolve::resolve(&mut context, &self.rule, (grain, event))
     }
 
     /// Predicts the next events of the grains that an event concerned, and checks that they still can be
-    /// computed with. What lies on a grain that was at rest until now looks whether it is still held.
-    fn reschedule(&mut self, affected: &Affected) -> Result<(), Fault> {
-        for &grain in &affected.again {
-            self.still_a_number(grain)?;
-            let slot = self.predict(grain);
-            self.queue.set(grain, slot);
+    /// computed with. What lies on a grain that was at rest until now looks whether it is still supported.
+    fn predict_affected(&mut self, effects: &Effects) -> Result<(), Error> {
+        for &grain in &effects.void {
+            self.check_range(grain)?;
+            let event = self.predict(grain);
+            self.queue.set(grain, event);
         }
-        for &grain in &affected.woken {
-            let cell = self.scene.body(grain).map_or(0, |body| body.cell);
-            let (scene, queue) = (&self.scene, &mut self.queue);
-            scene.cells.near(cell, |k| {
-                if support::lies_on(scene, k, grain) {
-                    queue.set(k, Slot::alone(scene.now, Kind::Check));
+        for &grain in &effects.woken {
+            let (particles, queue) = (&self.particles, &mut self.queue);
+            let (domain, now) = (&self.domain, self.clock.now);
+            let cell = particles.body(grain).map_or(0, |body| body.cell);
+            particles.cells.for_each_near(cell, |k| {
+                if resolve::lies_on(particles, domain, (now, &self.parameters), [k, grain]) {
+                    queue.set(k, ScheduledEvent::alone(now, EventKind::SupportCheck));
                 }
             });
         }
         Ok(())
     }
 
+    /// A prediction reached no further, or other grains are near now.
+    fn renew_prediction(&mut self, grain: usize, event: ScheduledEvent<S>) -> Result<(), Error> {
+        self.statistics.count_bookkeeping(event.kind);
+        if S::RANGE.is_some() {
+            self.check_range(grain)?;
+        }
+        let next = self.predict_after_crossing(grain, event);
+        self.queue.set(grain, next);
+        Ok(())
+    }
+
     /// Whether a grain can still be computed with: now, too, if its number type has a range to leave.
-    fn still_a_number(&self, grain: usize) -> Result<(), Fault> {
-        let scene = &self.scene;
+    fn check_range(&self, grain: usize) -> Result<(), Error> {
         let broken = match S::RANGE {
-            Some(_) => apply::broken(&scene.present(grain)),
-            None => scene.body(grain).and_then(apply::broken),
+            Some(_) => self.particles.present(grain, &self.domain, self.clock.now).out_of_range(),
+            None => self.particles.body(grain).and_then(|body| body.out_of_range()),
         };
         match (broken, S::RANGE) {
             (None, _) => Ok(()),
-            (Some(field), None) => Err(Fault::NotFinite { grain, field, at: self.now() }),
+            (Some(field), None) => Err(Error::NotFinite { grain, field, at: self.now() }),
             (Some(field), Some(most)) => {
-                Err(Fault::overflow(Subject::Grain(grain), field, most.to_f64()))
+                Err(Error::overflow(Subject::Grain(grain), field, most.to_f64()))
             }
         }
     }
@@ -199,14 +212,14 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// Nothing happens before this instant; none if nothing will ever happen. Firmware can sleep until then.
     #[must_use]
     pub fn next_event_time(&self) -> Option<Instant> {
-        let slot = self.queue.slot(self.queue.first()?);
-        (slot.time < S::NEVER).then(|| self.scene.epoch + Instant::from(slot.time))
+        let event = self.queue.event(self.queue.first()?);
+        (event.time < S::NEVER).then(|| self.clock.instant_of(event.time))
     }
 
     /// The present.
     #[must_use]
     pub fn now(&self) -> Instant {
-        self.scene.instant()
+        self.clock.instant()
     }
 
     /// A grain as it is now, in the order in which grains were added.
@@ -217,13 +230,25 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
 
     /// How often everything happened.
     #[must_use]
-    pub fn counters(&self) -> &Counters {
-        &self.scene.counters
+    pub fn statistics(&self) -> &Statistics {
+        &self.statistics
     }
 
     /// The world to look at.
     #[must_use]
     pub fn view(&self) -> View<'_, S, D> {
-        View { scene: &self.scene }
+        View {
+            particles: &self.particles,
+            domain: &self.domain,
+            clock: &self.clock,
+            statistics: &self.statistics,
+        }
+    }
+}
+
+impl<S: Scalar, const D: usize, R: Rule<S>> core::fmt::Debug for World<'_, S, D, R> {
+    /// What [`View`] shows.
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("World").field("view", &self.view()).finish_non_exhaustive()
     }
 }

@@ -5,7 +5,7 @@
 
 use std::error::Error;
 
-use carom::number::I32F32;
+use carom::scalar::I32F32;
 use carom_scenes::replay::{Told, replay};
 use carom_scenes::{Event, Scene};
 

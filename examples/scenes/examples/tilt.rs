@@ -1,10 +1,10 @@
-//! What does the tilt box do on this machine? Reads the script; shows frames and the last digest, and the counters in each number type.
+//! What does the tilt box do on this machine? Reads the script; shows frames and the last digest, and the statistics in each number type.
 
 use std::io::Write;
 
-use carom::Fault;
-use carom::law::tables::{Embedded, Table};
-use carom::number::I32F32;
+use carom::Error;
+use carom::law::embedded::{Embedded, Table};
+use carom::scalar::I32F32;
 use carom_scenes::Number;
 use carom_scenes::tilt::{self, Board};
 
@@ -26,15 +26,15 @@ impl Board for Terminal {
     }
 }
 
-fn played<S: Number>(table: &'static Table<S::Stored>, shown: bool) -> Result<(), Fault> {
+fn played<S: Number>(table: &'static Table<S::Stored>, shown: bool) -> Result<(), Error> {
     let mut memory = tilt::memory::<S>();
     let mut world = tilt::tilt_box(&mut memory, table)?;
     tilt::play(&mut world, &mut Terminal { shown })?;
-    println!("{} {:016x} {:?}", S::NAME, world.digest(), world.counters());
+    println!("{} {:016x} {:?}", S::NAME, world.digest(), world.statistics());
     Ok(())
 }
 
-fn main() -> Result<(), Fault> {
+fn main() -> Result<(), Error> {
     played::<f32>(f32::viscoelastic(), true)?;
     played::<f32>(f32::compact(), false)?;
     played::<f64>(f64::viscoelastic(), false)?;

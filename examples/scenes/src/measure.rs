@@ -1,7 +1,7 @@
 //! How many instructions does the tilt box take? Reads a board's counter; writes what each method took.
 
-use carom::law::tables::{Groups, Table};
-use carom::{Fault, Grain, Lend};
+use carom::law::embedded::{Groups, Table};
+use carom::{Error, Grain, Storage};
 
 use crate::scene::{Number, n};
 use crate::stepped::Stepped;
@@ -25,11 +25,11 @@ pub struct Cost {
 /// # Errors
 /// Any fault of the engine.
 pub fn event_driven<S: Number>(
-    memory: &mut impl Lend<S, 2>,
+    memory: &mut impl Storage<S, 2>,
     table: &'static Table<S::Stored>,
     readings: u32,
     board: &mut impl Board,
-) -> Result<Cost, Fault> {
+) -> Result<Cost, Error> {
     let mut world = tilt_box(memory, table)?;
     let start = board.instructions();
     for reading in 0..readings {
@@ -38,9 +38,9 @@ pub fn event_driven<S: Number>(
         board.instructions();
     }
     let instructions = board.instructions() - start;
-    let counters = world.counters();
-    let collisions = counters.collisions + counters.plane_collisions;
-    Ok(Cost { instructions, collisions, outside: counters.hard_sphere, digest: world.digest() })
+    let statistics = world.statistics();
+    let collisions = statistics.collisions + statistics.plane_collisions;
+    Ok(Cost { instructions, collisions, outside: statistics.hard_sphere, digest: world.digest() })
 }
 
 /// The time steps of MD in a millisecond: 20 to 50 for the contact of two beads. Velocity Verlet then has
@@ -60,7 +60,7 @@ pub fn stepped<S: Number>(
     readings: u32,
     steps: u32,
     board: &mut impl Board,
-) -> Result<u64, Fault> {
+) -> Result<u64, Error> {
     let mut run = Stepped::<S>::new(&after(table, readings, board)?, n(1.0 / f64::from(STEPS)));
     run.tilt(readings);
     let start = board.instructions();
@@ -79,7 +79,7 @@ fn after<S: Number>(
     table: &'static Table<S::Stored>,
     readings: u32,
     board: &mut impl Board,
-) -> Result<[Grain<S, 2>; GRAINS], Fault> {
+) -> Result<[Grain<S, 2>; GRAINS], Error> {
     let mut memory = tilt::memory::<S>();
     let mut world = tilt_box(&mut memory, table)?;
     for reading in 0..readings {

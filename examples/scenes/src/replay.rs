@@ -1,7 +1,7 @@
 //! How does a scene run, event by event? Reads a scene; writes digests to a callback.
 
 use carom::law::Rule;
-use carom::{Fault, Instant, Memory, Scalar, World};
+use carom::{Error, Instant, Memory, Scalar, World};
 
 use crate::scene::{self, Number, Scene};
 
@@ -40,7 +40,7 @@ impl Told {
 }
 
 /// How a scene is run in one number type.
-pub type Run = fn(Told, &mut dyn FnMut(Event)) -> Result<(), Fault>;
+pub type Run = fn(Told, &mut dyn FnMut(Event)) -> Result<(), Error>;
 
 /// How this scene is run in this number type. A program that names only some of them carries only
 /// their code and tables.
@@ -57,8 +57,8 @@ pub fn replay<S: Number>(scene: Scene) -> Run {
 /// Runs [`Scene::Fig6`] and tells the digests.
 ///
 /// # Errors
-/// Any fault of the engine, or [`Fault::Full`] if the scene comes to an end before its last event.
-pub fn fig6<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Fault> {
+/// Any fault of the engine, or [`Error::Full`] if the scene comes to an end before its last event.
+pub fn fig6<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 2>::new();
     run(&mut scene::fig6(&mut memory)?, told, tell)
 }
@@ -67,7 +67,7 @@ pub fn fig6<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Fa
 ///
 /// # Errors
 /// As [`fig6`].
-pub fn box16<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Fault> {
+pub fn box16<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 16>::new();
     turning(&mut scene::box16(&mut memory)?, told, tell)
 }
@@ -76,7 +76,7 @@ pub fn box16<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), F
 ///
 /// # Errors
 /// As [`fig6`].
-pub fn gas32<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Fault> {
+pub fn gas32<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Error> {
     let mut memory = Memory::<S, 3, 32>::new();
     run(&mut scene::gas32(&mut memory)?, told, tell)
 }
@@ -85,7 +85,7 @@ pub fn gas32<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), F
 ///
 /// # Errors
 /// As [`fig6`].
-pub fn column10<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Fault> {
+pub fn column10<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Error> {
     let mut memory = Memory::<S, 1, 10>::new();
     run(&mut scene::column10(&mut memory)?, told, tell)
 }
@@ -95,7 +95,7 @@ fn run<S: Scalar, const D: usize, R: Rule<S>>(
     world: &mut World<'_, S, D, R>,
     told: Told,
     tell: &mut dyn FnMut(Event),
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     for number in 1..=told.last {
         if world.step()?.is_none() {
             return Err(ended(number));
@@ -110,7 +110,7 @@ fn turning<S: Scalar, R: Rule<S>>(
     world: &mut World<'_, S, 2, R>,
     told: Told,
     tell: &mut dyn FnMut(Event),
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     let (mut number, mut quarters) = (0, 0);
     while number < told.last {
         let turn = Instant::from(f64::from(scene::QUARTER) * f64::from(quarters + 1));
@@ -141,6 +141,6 @@ impl Told {
     }
 }
 
-fn ended(number: u32) -> Fault {
-    Fault::Full { knob: "the scene, which has no further event,", capacity: number as usize }
+fn ended(number: u32) -> Error {
+    Error::Full { knob: "the scene, which has no further event,", capacity: number as usize }
 }

@@ -1,10 +1,10 @@
 //! Which scenes are replayed? Reads nothing; writes a world into lent memory.
 
-use carom::law::tables::{self, Embedded, Table};
+use carom::law::embedded::{self, Embedded, Table};
 use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic};
-use carom::matter::{Plane, Surface, Vibration};
-use carom::number::I32F32;
-use carom::{Fault, Grain, Lend, Scalar, World};
+use carom::scalar::I32F32;
+use carom::space::{Plane, Surface, Vibration};
+use carom::{Error, Grain, Scalar, Storage, World};
 
 /// The scenes that every target replays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,7 +70,7 @@ macro_rules! number {
         impl Number for $type {
             const NAME: &str = stringify!($type);
             fn compact() -> &'static Table<Self::Stored> {
-                &tables::compact::$compact
+                &embedded::compact::$compact
             }
         }
     };
@@ -96,13 +96,13 @@ pub(crate) fn rubber<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
 /// # Errors
 /// None unless the memory is too small.
 pub fn fig6<S: Number>(
-    memory: &mut impl Lend<S, 2>,
-) -> Result<World<'_, S, 2, Dashpot<S, tables::Stored>>, Fault> {
+    memory: &mut impl Storage<S, 2>,
+) -> Result<World<'_, S, 2, Dashpot<S, embedded::Stored>>, Error> {
     let law = LinearDashpot { stiffness: n(2000.0), damping: n(0.0) };
     let pair = |at, moving| Grain::with_mass(n(0.1), n(4.775_220_8)).at(v(at)).moving(v(moving));
-    World::setup(memory)
+    World::builder(memory)
         .periodic([v([-0.5, 0.5]); 2])
-        .rule(Soft::with_table(law, &tables::wide::LINEAR_DASHPOT, Outside::Clamp))
+        .rule(Soft::with_table(law, &embedded::wide::LINEAR_DASHPOT, Outside::Clamp))
         .grain(pair([0.0175, -0.120_393_92], [1.25, 2.5]))?
         .grain(pair([-0.0425, 0.120_393_92], [1.25, -2.5]))?
         .start()
@@ -112,13 +112,15 @@ pub fn fig6<S: Number>(
 ///
 /// # Errors
 /// None unless the memory is too small.
-pub fn box16<S: Number>(memory: &mut impl Lend<S, 2>) -> Result<World<'_, S, 2, Rubber<S>>, Fault> {
+pub fn box16<S: Number>(
+    memory: &mut impl Storage<S, 2>,
+) -> Result<World<'_, S, 2, Rubber<S>>, Error> {
     let site = |k: u32| {
         let (column, row, odd) = (f64::from(k % 4), f64::from(k / 4), f64::from(k * 7 % 16));
         let at = [1.5 + 3.0 * column, 1.5 + 3.0 * row];
         grain(0.7 + 0.04 * odd, at, [0.02 * (odd - 7.5), 0.03 * (column - row)])
     };
-    World::setup(memory)
+    World::builder(memory)
         .walls([v([0.0, 12.0]); 2])
         .gravity(v([0.0, -GRAVITY]))
         .rule(rubber(S::viscoelastic()))
@@ -144,13 +146,15 @@ pub fn turned<S: Scalar>(quarters: u32) -> [S; 2] {
 ///
 /// # Errors
 /// None unless the memory is too small.
-pub fn gas32<S: Number>(memory: &mut impl Lend<S, 3>) -> Result<World<'_, S, 3, Rubber<S>>, Fault> {
+pub fn gas32<S: Number>(
+    memory: &mut impl Storage<S, 3>,
+) -> Result<World<'_, S, 3, Rubber<S>>, Error> {
     let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.0) };
     let site = |k: u32| {
         let at = [k % 4, k / 4 % 4, k / 16].map(|i| 2.0 + 4.0 * f64::from(i));
         grain(1.0, at, [5, 11, 3].map(|prime| 0.02 * (f64::from(k * prime % 32) - 15.5)))
     };
-    World::setup(memory)
+    World::builder(memory)
         .periodic([v([0.0, 16.0]); 3])
         .rule(Soft::viscoelastic(law, Outside::HardSphere))
         .grains((0..32).map(site))?
@@ -162,12 +166,12 @@ pub fn gas32<S: Number>(memory: &mut impl Lend<S, 3>) -> Result<World<'_, S, 3, 
 /// # Errors
 /// None unless the memory is too small.
 pub fn column10<S: Number>(
-    memory: &mut impl Lend<S, 1>,
-) -> Result<World<'_, S, 1, Dashpot<S, S::Stored>>, Fault> {
+    memory: &mut impl Storage<S, 1>,
+) -> Result<World<'_, S, 1, Dashpot<S, S::Stored>>, Error> {
     let law = LinearDashpot { stiffness: n(1000.0), damping: n(1.5) };
     let plate = Plane::new(v([1.0]), n(0.0), Surface::Rule);
     let bead = |k: u32| grain(1.0, [1.5 + 2.25 * f64::from(k)], [0.0]);
-    World::setup(memory)
+    World::builder(memory)
         .plane(plate.vibrating(Vibration::new(n(1.0), n(0.025))))
         .gravity(v([-GRAVITY]))
         .rule(Soft::linear_dashpot(law, Outside::HardSphere))

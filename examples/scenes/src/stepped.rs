@@ -38,7 +38,7 @@ pub struct Stepped<S> {
 
 /// (l − r)^{3/2} ρ + (3/2) A ρ (l − r)^{1/2} v_n, never pulling (MP13 Eq. 51).
 fn force<S: Scalar>(rho: S, dissipation: S, overlap: S, approach: S) -> S {
-    (rho * overlap.sqrt() * (overlap + dissipation * approach)).larger(S::zero())
+    (rho * overlap.sqrt() * (overlap + dissipation * approach)).max(S::zero())
 }
 
 fn dot<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {

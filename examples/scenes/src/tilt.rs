@@ -1,8 +1,8 @@
 //! What is in the tilt box? 32 glass beads of different size under a turning gravity; reads a script, writes frames to a board.
 
-use carom::law::tables::Table;
+use carom::law::embedded::Table;
 use carom::law::{Outside, Rule, Soft, Viscoelastic};
-use carom::{Fault, Grain, Instant, Lend, Memory, Scalar, World};
+use carom::{Error, Grain, Instant, Memory, Scalar, Storage, World};
 
 use crate::scene::{GRAVITY, Number, Rubber, n};
 
@@ -73,10 +73,10 @@ pub fn memory<S: Scalar>() -> Box32<S> {
 /// None unless the memory is too small.
 #[inline(never)]
 pub fn tilt_box<'m, S: Number>(
-    memory: &'m mut impl Lend<S, 2>,
+    memory: &'m mut impl Storage<S, 2>,
     table: &'static Table<S::Stored>,
-) -> Result<World<'m, S, 2, Rubber<S>>, Fault> {
-    World::setup(memory)
+) -> Result<World<'m, S, 2, Rubber<S>>, Error> {
+    World::builder(memory)
         .walls([[S::zero(), S::from_count(SIDE)]; 2])
         .gravity(accelerometer(0))
         .rule(glass(table))
@@ -129,7 +129,7 @@ pub fn instant(reading: u32) -> Instant {
 pub fn play<S: Scalar, R: Rule<S>>(
     world: &mut World<'_, S, 2, R>,
     board: &mut impl Board,
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     for reading in 0..READINGS {
         world.set_gravity(accelerometer(reading))?;
         let end = instant(reading + 1);

@@ -1,0 +1,151 @@
+//! When do two bodies, or a body and a plane, touch? Reads both; writes nothing, picks closed form or bracket.
+
+use super::bracket::{Found, Search};
+use super::root;
+use super::shaking::{peak_acceleration, peak_acceleration_along};
+use crate::particle::Body;
+use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
+use crate::space::{Domain, Plane, flight};
+
+/// At what time two bodies touch that nothing supports: BSFP14's rule. Uniform gravity leaves their
+/// relative motion straight.
+///
+/// It depends on nothing but the two, not on when it is asked: both are taken at the later of their
+/// clocks. `image` is what their separation lacks to that of the images which are near now.
+#[inline]
+pub(super) fn free_pair<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    [me, other]: [&Body<S, D>; 2],
+    image: &Vector<S, D>,
+) -> Option<S> {
+    let mut from = me.clock;
+    let (mut x, mut v) = (me.position, me.velocity);
+    let (mut y, mut w) = (other.position, other.velocity);
+    if other.clock <= from {
+        (y, w) = flight::free(other, domain, from);
+    } else {
+        from = other.clock;
+        (x, v) = flight::free(me, domain, from);
+    }
+    let span = root::spheres(&(x - y + image), &(v - w), me.radius + other.radius)?;
+    Some(from + span)
+}
+
+/// What the separation of two bodies, one of them `here` now, lacks to that of their nearest images.
+#[inline(never)]
+pub(super) fn nearest_image<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    now: S,
+    here: &Vector<S, D>,
+    other: &Body<S, D>,
+) -> Vector<S, D> {
+    let apart = here - flight::free(other, domain, now).0;
+    domain.boundary.nearest(apart) - apart
+}
+
+/// After which span two bodies touch of which at least one is supported. Both are as they are now.
+///
+/// A pair in contact has one velocity copied twice; it is skipped by the caller so that rounding of
+/// two clocks cannot make it meet itself.
+pub(super) fn supported_pair<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    now: S,
+    [me, other]: [&Body<S, D>; 2],
+    limit: S,
+) -> Found<S> {
+    let reach = me.radius + other.radius;
+    if me.is_asleep() && other.is_asleep() && me.planes == other.planes {
+        return Found::Nothing;
+    }
+    let apart = flight::acceleration(me, domain) - flight::acceleration(other, domain);
+    let together = flight::carrying_plates(me, domain).eq(flight::carrying_plates(other, domain));
+    let alike = me.planes == other.planes && me.is_asleep() == other.is_asleep();
+    if alike || (together && !(norm(&apart) > S::zero())) {
+        let separation = domain.separation(me, other);
+        let found = root::spheres(&separation, &(me.velocity - other.velocity), reach);
+        return found.map_or(Found::Nothing, Found::Event);
+    }
+    let shaking = match together {
+        true => S::zero(),
+        false => peak_acceleration(domain, me) + peak_acceleration(domain, other),
+    };
+    let bound = norm(&apart) + shaking;
+    Search::new(bound.max(S::negligible_acceleration(reach, limit)), reach, limit).first(|t| {
+        let [a, b] = [me, other].map(|body| flight::at(body, domain, now + t));
+        overlap(&domain.separation(&a, &b), &(a.velocity - b.velocity), reach)
+    })
+}
+
+/// f = |r| − σ and ḟ. The difference of squares keeps the last places of a touching pair.
+fn overlap<S: Scalar, const D: usize>(r: &Vector<S, D>, v: &Vector<S, D>, sigma: S) -> (S, S) {
+    let distance = norm(r);
+    if !(distance > S::zero()) {
+        return (-sigma, -norm(v));
+    }
+    let gap = (S::dot(r, r) - sigma.times(sigma)).divided_by(distance + sigma);
+    (gap, S::dot(r, v).divided_by(distance))
+}
+
+/// At what time a body that nothing supports touches a plane that does not move; from its own clock on.
+#[inline]
+pub(super) fn free_body_and_wall<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    me: &Body<S, D>,
+    wall: &Plane<S, D>,
+) -> Option<S> {
+    let n = &wall.normal;
+    let gap = wall.mean_gap(&me.position, me.radius);
+    Some(me.clock + root::plane(gap, dot(n, &me.velocity), dot(n, domain.gravity()))?)
+}
+
+/// After which span a body, as it is now, touches a plane that does not support it.
+pub(super) fn body_and_plane<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    now: S,
+    me: &Body<S, D>,
+    (plane, limit): (&Plane<S, D>, S),
+) -> Found<S> {
+    let n = &plane.normal;
+    let mean = plane.mean_gap(&me.position, me.radius);
+    let (v, a) = (dot(n, &me.velocity), dot(n, &flight::acceleration(me, domain)));
+    let bracketed = |from| bracketed_from(domain, now, me, (plane, from, limit));
+    let Some(vibration) = plane.vibration else {
+        return match peak_acceleration_along(domain, me, n) > S::zero() {
+            false => root::plane(mean, v, a).map_or(Found::Nothing, Found::Event),
+            true => bracketed(S::zero()),
+        };
+    };
+    // Above the plate's highest place there is nothing to touch.
+    let top = vibration.amplitude.abs();
+    if mean > top && !(peak_acceleration_along(domain, me, n) > S::zero()) {
+        return match root::plane(mean - top, v, a) {
+            Some(from) if from <= limit => bracketed(from),
+            _ => Found::Nothing,
+        };
+    }
+    bracketed(S::zero())
+}
+
+/// The same while the plane or what carries the body vibrates, looking from a span on.
+fn bracketed_from<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    now: S,
+    me: &Body<S, D>,
+    (plane, from, limit): (&Plane<S, D>, S, S),
+) -> Found<S> {
+    let a = dot(&plane.normal, &flight::acceleration(me, domain)).abs();
+    let shaking = plane.vibration.map_or(S::zero(), |v| v.peak_acceleration())
+        + peak_acceleration_along(domain, me, &plane.normal);
+    let bound = (a + shaking).max(S::negligible_acceleration(me.radius, limit));
+    let found = Search::new(bound, me.radius, limit - from).first(|t| {
+        let then = now + (from + t);
+        let body = flight::at(me, domain, then);
+        let rate = dot(&plane.normal, &body.velocity) - plane.motion(then).speed;
+        (plane.gap(&body.position, me.radius, then), rate)
+    });
+    match found {
+        Found::Event(span) => Found::Event(from + span),
+        Found::NotBefore(span) => Found::NotBefore(from + span),
+        Found::Nothing => Found::Nothing,
+    }
+}

@@ -1,0 +1,326 @@
+//! When is a grain's next event? Reads bodies, cells and boundaries; writes nothing, returns the earliest event.
+
+use super::approach::closing_speed;
+use super::bracket::Found;
+use super::prefilter::Prefilter;
+use super::scheduled_event::{EventKind, ScheduledEvent};
+use super::{cell_crossing, collision_time, root, take_off};
+use crate::particle::{Body, Partner};
+use crate::scalar::{Scalar, Vector};
+use crate::space::{BATCH, CellFace, Domain, NeighbourBatch, Particles, flight, put};
+
+/// The earliest event of this grain.
+///
+/// Collisions of grains that nothing supports depend on the two alone, not on when one asks: whatever
+/// finds neighbours, the same events come at the same bits.
+pub(crate) fn next_event<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    now: S,
+    grain: usize,
+) -> ScheduledEvent<S> {
+    let Some(predictor) = Predictor::new(particles, domain, now, grain) else {
+        return ScheduledEvent::NONE;
+    };
+    let mut first = ScheduledEvent::NONE;
+    let (at, filler) = (&predictor.at, predictor.filler());
+    particles.cells.batches(at, filler, &mut |batch| predictor.batch(&mut first, batch));
+    predictor.planes(&mut first);
+    predictor.earliest(first)
+}
+
+/// The earliest event of a grain that has just crossed into a cell: its collision is kept, and only the
+/// grains ahead are new.
+pub(crate) fn next_event_after_crossing<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    now: S,
+    (grain, crossing): (usize, ScheduledEvent<S>),
+) -> ScheduledEvent<S> {
+    if particles.supported > 0 || crossing.face == ScheduledEvent::<S>::NO_FACE {
+        return next_event(particles, domain, now, grain);
+    }
+    let Some(predictor) = Predictor::new(particles, domain, now, grain) else {
+        return ScheduledEvent::NONE;
+    };
+    let face = CellFace::from_code(crossing.face);
+    let mut first = crossing.only_collision();
+    let (at, filler) = (&predictor.at, predictor.filler());
+    particles.cells.ahead(at, face, filler, &mut |batch| predictor.batch(&mut first, batch));
+    if domain.boundary.planes().iter().any(|plane| plane.vibration.is_some()) {
+        // The search for a plate goes no further than to the next cell.
+        predictor.planes(&mut first);
+    }
+    predictor.earliest(first)
+}
+
+/// So many bytes of bodies are held by the cache next to a processor.
+const CACHE: usize = 2 << 20;
+
+/// Predicts the events of one grain.
+struct Predictor<'a, S: Scalar, const D: usize> {
+    particles: &'a Particles<'a, S, D>,
+    domain: &'a Domain<'a, S, D>,
+    now: S,
+    grain: usize,
+    /// The grain at its own clock.
+    me: &'a Body<S, D>,
+    /// Its cell's numbers along the axes.
+    at: [u32; D],
+    /// Where it is now and how it flies, if nothing supports it.
+    here: Vector<S, D>,
+    velocity: Vector<S, D>,
+    /// What it does by itself.
+    own: ScheduledEvent<S>,
+    /// When it gets out of reach of the neighbours.
+    out_of_reach: ScheduledEvent<S>,
+}
+
+impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
+    #[inline]
+    fn new(
+        particles: &'a Particles<'_, S, D>,
+        domain: &'a Domain<'_, S, D>,
+        now: S,
+        grain: usize,
+    ) -> Option<Self> {
+        let me = particles.body(grain)?;
+        let (here, velocity) = flight::free(me, domain, now);
+        let at = particles.cells.coordinates(me.cell);
+        let free = [&here, &velocity];
+        let out_of_reach = cell_crossing::out_of_reach(particles, domain, now, me, (&at, free));
+        let own = own_event(domain, now, me);
+        Some(Self { particles, domain, now, grain, me, at, here, velocity, own, out_of_reach })
+    }
+
+    /// How far a search needs to look.
+    fn limit(&self, first: &ScheduledEvent<S>) -> S {
+        self.own.time.min(self.out_of_reach.time).min(first.collision_time) - self.now
+    }
+
+    /// The grain itself: what a batch is filled up with.
+    #[expect(clippy::cast_possible_truncation, reason = "the builder refuses more than MAX_GRAINS")]
+    fn filler(&self) -> u32 {
+        self.grain as u32
+    }
+
+    /// Takes the collisions with a batch into account, in the images that are nearest now.
+    #[inline]
+    fn batch(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch) {
+        let same_image = batch.same_image || self.domain.boundary.is_open();
+        match self.particles.supported {
+            0 if S::RANGE.is_none() => self.prefiltered(first, batch, same_image),
+            _ => self.one_by_one(first, batch, same_image),
+        }
+    }
+
+    /// The same if something may support some of them, or in fixed point: there the squares of squares may
+    /// not fit, and the prefilter costs what an exact test does.
+    #[inline(never)]
+    fn one_by_one(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch, same_image: bool) {
+        let now = (self.particles.supported > 0)
+            .then(|| self.particles.present(self.grain, self.domain, self.now));
+        let free = batch.only(self.filler(), |k| match (self.particles.body(k as usize), &now) {
+            (Some(other), Some(now)) if now.is_supported() || other.is_supported() => {
+                self.supported(first, k as usize, (now, other));
+                false
+            }
+            _ => true,
+        });
+        match S::RANGE {
+            None => self.prefiltered(first, &free, same_image),
+            Some(_) => free.all().iter().for_each(|&k| self.pair(first, k as usize, same_image)),
+        }
+    }
+
+    /// The same if nothing supports any of them. Most pairs never collide, which the prefilter tells: all of
+    /// them go through it first, without a branch, and the others are solved exactly then.
+    #[inline(never)]
+    fn prefiltered(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch, same_image: bool) {
+        let (particles, me) = (self.particles, self.filler());
+        let filter = Prefilter::new(self.now, [&self.here, &self.velocity], self.me.radius);
+        if size_of_val(particles.bodies) > CACHE {
+            self.fetch(batch);
+        }
+        let (mut kept, mut count) = ([0; BATCH], 0);
+        for some in batch.groups() {
+            let others = some.map(|k| particles.body(k as usize).unwrap_or(self.me));
+            let may = filter.may_collide(self.domain, others, same_image);
+            for (i, &k) in some.iter().enumerate() {
+                put(&mut kept, count, k);
+                count += usize::from((may >> i & 1 == 1) & (k != me));
+            }
+        }
+        for &k in kept.iter().take(count) {
+            self.pair(first, k as usize, same_image);
+        }
+    }
+
+    /// Reads something of every grain: all that are in no cache come at the same time.
+    #[inline]
+    fn fetch(&self, batch: &NeighbourBatch) {
+        let bodies = batch.all().iter().filter_map(|&k| self.particles.body(k as usize));
+        core::hint::black_box(bodies.fold(0, |sum, body| sum ^ body.clock.bits()));
+    }
+
+    /// Takes the collision with grain `k` into account.
+    #[inline]
+    fn pair(&self, first: &mut ScheduledEvent<S>, k: usize, same_image: bool) {
+        let Some(other) = self.particles.body(k) else { return };
+        let image = match same_image {
+            true => Vector::zeros(),
+            false => collision_time::nearest_image(self.domain, self.now, &self.here, other),
+        };
+        let time = collision_time::free_pair(self.domain, [self.me, other], &image);
+        let time = time.filter(|&time| time <= first.collision_time);
+        let Some(time) = time.filter(|_| !self.is_in_contact_with(k, other)) else { return };
+        let time = time.max(self.me.uninterruptible_until()).max(other.uninterruptible_until());
+        if time < self.now {
+            return self.deferred(first, k);
+        }
+        self.keep_earlier(first, time, Partner::grain(k), other.event_count);
+    }
+
+    /// Whether it is the grain itself, or they are in contact with each other.
+    fn is_in_contact_with(&self, k: usize, other: &Body<S, D>) -> bool {
+        let me = (self.me.partner, Partner::grain(self.grain));
+        k == self.grain || me == (Partner::grain(k), other.partner)
+    }
+
+    /// The same if one of the two is supported.
+    #[inline(never)]
+    fn supported(
+        &self,
+        first: &mut ScheduledEvent<S>,
+        k: usize,
+        (now, other): (&Body<S, D>, &Body<S, D>),
+    ) {
+        if self.is_in_contact_with(k, other) {
+            return;
+        }
+        let there = self.particles.present(k, self.domain, self.now);
+        let limit = self.limit(first);
+        let found = collision_time::supported_pair(self.domain, self.now, [now, &there], limit);
+        let from = self.me.uninterruptible_until().max(other.uninterruptible_until());
+        self.found(first, found, from, Partner::grain(k));
+    }
+
+    /// A collision with grain `k` was deferred, and now they have passed each other, or approach still.
+    #[cold]
+    fn deferred(&self, first: &mut ScheduledEvent<S>, k: usize) {
+        let [me, other] = [self.grain, k].map(|i| self.particles.present(i, self.domain, self.now));
+        let apart = self.domain.separation(&me, &other);
+        let reach = me.radius + other.radius;
+        if let Some(span) = root::spheres(&apart, &(me.velocity - other.velocity), reach) {
+            self.keep_earlier(first, self.now + span, Partner::grain(k), other.event_count);
+        }
+    }
+
+    /// Takes the collisions with planes into account.
+    #[inline]
+    fn planes(&self, first: &mut ScheduledEvent<S>) {
+        let me = self.me;
+        for (p, plane) in self.domain.boundary.planes().iter().enumerate() {
+            if me.partner == Partner::plane(p) || me.rests_on(p) {
+                continue;
+            }
+            let from = me.uninterruptible_until();
+            if me.is_supported() || plane.vibration.is_some() {
+                let now = self.particles.present(self.grain, self.domain, self.now);
+                let limited = (plane, self.limit(first));
+                let found = collision_time::body_and_plane(self.domain, self.now, &now, limited);
+                self.found(first, found, from, Partner::plane(p));
+            } else if let Some(time) = collision_time::free_body_and_wall(self.domain, me, plane) {
+                self.keep_earlier(first, time.max(self.now).max(from), Partner::plane(p), 0);
+            }
+        }
+    }
+
+    /// Takes what a search found into account: not before `from`, and a recheck where it paused.
+    fn found(&self, first: &mut ScheduledEvent<S>, found: Found<S>, from: S, partner: Partner) {
+        let other = partner.as_grain().and_then(|k| self.particles.body(k));
+        let count = other.map_or(0, |body| body.event_count);
+        match found {
+            Found::Event(span) => {
+                self.keep_earlier(first, (self.now + span).max(from), partner, count);
+            }
+            Found::NotBefore(span) => {
+                self.keep_earlier(first, self.now + span, Partner::NOTHING, 0);
+            }
+            Found::Nothing => {}
+        }
+    }
+
+    /// Keeps the earlier collision, of equal ones the faster. NaN and infinity never win, nor what lies
+    /// beyond the instants that there are.
+    ///
+    /// With nothing it is no collision but a recheck.
+    #[inline]
+    fn keep_earlier(
+        &self,
+        first: &mut ScheduledEvent<S>,
+        time: S,
+        partner: Partner,
+        partner_event_count: u32,
+    ) {
+        let sooner = time < first.collision_time
+            || time == first.collision_time && self.is_faster(first, partner);
+        if sooner && time <= S::LAST {
+            let kind = match partner {
+                Partner::NOTHING => EventKind::Recheck,
+                _ => EventKind::Collision,
+            };
+            let face = ScheduledEvent::<S>::NO_FACE;
+            let collision_time = time;
+            *first =
+                ScheduledEvent { time, collision_time, partner, partner_event_count, kind, face };
+        }
+    }
+
+    /// Whether of two collisions at one instant that with this partner is the faster, or of equals that with
+    /// the lower number: in which order neighbours are visited does not matter.
+    #[cold]
+    fn is_faster(&self, first: &ScheduledEvent<S>, partner: Partner) -> bool {
+        if partner == Partner::NOTHING || first.partner == Partner::NOTHING {
+            return partner.word() < first.partner.word();
+        }
+        let [new, old] = [partner, first.partner].map(|with| {
+            closing_speed(self.particles, self.domain, (self.grain, with), first.collision_time)
+        });
+        new > old || new == old && partner.word() < first.partner.word()
+    }
+
+    /// The first of the collision, what the grain does by itself, and its way out of reach.
+    #[inline]
+    fn earliest(&self, collision: ScheduledEvent<S>) -> ScheduledEvent<S> {
+        let mut first = collision;
+        if self.own.time <= first.time && self.own.kind != EventKind::Nothing {
+            first = self.own;
+        }
+        if self.out_of_reach.time < first.time && self.out_of_reach.time <= S::LAST {
+            let ScheduledEvent { time, kind, face, .. } = self.out_of_reach;
+            first = ScheduledEvent { time, kind, face, ..collision };
+        }
+        first
+    }
+}
+
+/// What happens to a body by itself: its contact ends, or its plate falls away.
+#[inline]
+fn own_event<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    now: S,
+    me: &Body<S, D>,
+) -> ScheduledEvent<S> {
+    if me.in_contact() {
+        return ScheduledEvent::alone(me.contact_end, EventKind::ContactEnd);
+    }
+    if me.planes == 0 {
+        return ScheduledEvent::NONE;
+    }
+    match take_off::take_off(domain, now, me) {
+        Found::Event(span) => ScheduledEvent::alone(now + span, EventKind::TakeOff),
+        Found::NotBefore(span) => ScheduledEvent::alone(now + span, EventKind::Recheck),
+        Found::Nothing => ScheduledEvent::NONE,
+    }
+}

@@ -1,0 +1,202 @@
+//! How can carom say no? Every error names the field or knob, its value, and what would be right.
+
+use crate::particle::Partner;
+use crate::scalar::Instant;
+use core::fmt;
+
+/// What an error is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Subject {
+    /// The grain with this number, in the order in which grains were added.
+    Grain(usize),
+    /// The plane with this number, in the order in which planes were added.
+    Plane(usize),
+    /// The axis with this number.
+    Axis(usize),
+    /// The contact law or rule.
+    Rule,
+    /// The world as a whole.
+    World,
+}
+
+/// Every way in which a world can refuse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A field has a value it cannot have.
+    Input {
+        /// Whose field.
+        subject: Subject,
+        /// Its name.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+        /// What would be right.
+        wanted: &'static str,
+    },
+    /// A store is full.
+    Full {
+        /// What to enlarge.
+        knob: &'static str,
+        /// How many it holds now.
+        capacity: usize,
+    },
+    /// Two grains, or a grain and a plane, overlap at the start.
+    Overlap {
+        /// The grain.
+        grain: usize,
+        /// With what.
+        with: Partner,
+        /// The distance of their surfaces: negative.
+        gap: f64,
+    },
+    /// A collision lies outside the table's domain and the rule was built with `Outside::Reject`.
+    OutsideTable {
+        /// The grain.
+        grain: usize,
+        /// With what.
+        with: Partner,
+        /// Eccentricity e = sin α.
+        eccentricity: f64,
+        /// η = 1/l̃.
+        eta: f64,
+        /// Scaled dissipation.
+        c_dis: f64,
+    },
+    /// A rule gave something that is not the outcome of a collision.
+    InvalidOutcome {
+        /// Which number.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+        /// What would be right.
+        wanted: &'static str,
+    },
+    /// Too many events at one instant: a collapse the rule does not resolve.
+    Stuck {
+        /// The grain of the last event.
+        grain: usize,
+        /// With what.
+        with: Partner,
+        /// The instant.
+        at: Instant,
+        /// How many events it has seen.
+        events: u32,
+    },
+    /// A grain's state has left the range of the number type.
+    NotFinite {
+        /// The grain.
+        grain: usize,
+        /// Position or velocity.
+        field: &'static str,
+        /// The instant.
+        at: Instant,
+    },
+    /// A number has left the range of the fixed-point type, or is too coarse in it: the units do not suit.
+    Overflow {
+        /// Whose number.
+        subject: Subject,
+        /// Which number.
+        quantity: &'static str,
+        /// The largest magnitude that it may have.
+        range: f64,
+        /// The unit to change, and how.
+        choose: &'static str,
+    },
+    /// The instant asked for lies in the past.
+    Past {
+        /// The instant asked for.
+        asked: Instant,
+        /// The present.
+        now: Instant,
+    },
+}
+
+impl Error {
+    /// A field with a wrong value.
+    pub(crate) fn input(
+        subject: Subject,
+        field: &'static str,
+        value: f64,
+        wanted: &'static str,
+    ) -> Self {
+        Self::Input { subject, field, value, wanted }
+    }
+
+    /// A quantity that has left the range of its type.
+    pub(crate) fn overflow(subject: Subject, quantity: &'static str, range: f64) -> Self {
+        Self::Overflow { subject, quantity, range, choose: unit_for(quantity) }
+    }
+}
+
+/// The unit in which a quantity's number becomes smaller.
+fn unit_for(quantity: &str) -> &'static str {
+    match quantity {
+        "position" | "radius" | "length" | "separation" => "a larger unit of length",
+        "velocity" | "gravity" => "a larger unit of length or a smaller unit of time",
+        "time of the contact's end" | "duration" | "dissipation" => "a larger unit of time",
+        "mass" => "a larger unit of mass",
+        "stiffness" | "damping" | "young" | "stiffness over mass" => {
+            "a smaller unit of time or a larger unit of mass"
+        }
+        "contact time" => "a smaller unit of time: it is too short for one step of the number",
+        "scaled dissipation" => "a table's number for it: it is far above one",
+        _ => "units in which it is nearer to one",
+    }
+}
+
+impl fmt::Display for Subject {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Grain(i) => write!(f, "grain {i}"),
+            Self::Plane(i) => write!(f, "plane {i}"),
+            Self::Axis(i) => write!(f, "axis {i}"),
+            Self::Rule => f.write_str("rule"),
+            Self::World => f.write_str("world"),
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Input { subject, field, value, wanted } => {
+                write!(f, "{subject}: {field} is {value}, must be {wanted}")
+            }
+            Self::Full { knob, capacity } => {
+                write!(f, "no place left: {knob} holds {capacity}; enlarge it")
+            }
+            Self::Overlap { grain, with, gap } => {
+                write!(
+                    f,
+                    "grain {grain} and {with} overlap: their gap is {gap}, must be at least 0"
+                )
+            }
+            Self::OutsideTable { grain, with, eccentricity, eta, c_dis } => write!(
+                f,
+                "grain {grain} meets {with} outside the table's domain: e = {eccentricity}, 1/l = {eta}, c_dis = {c_dis}; \
+                 choose Outside::Clamp or Outside::HardSphere, or a wider table"
+            ),
+            Self::InvalidOutcome { field, value, wanted } => {
+                write!(f, "the rule returned {field} = {value}, must be {wanted}")
+            }
+            Self::Stuck { grain, with, at, events } => write!(
+                f,
+                "stuck at t = {at}: {events} events at this instant, the last of grain {grain} with {with}; \
+                 the collision rule does not resolve this collapse"
+            ),
+            Self::NotFinite { grain, field, at } => {
+                write!(f, "grain {grain}: its {field} is no longer a finite number at t = {at}")
+            }
+            Self::Overflow { subject, quantity, range, choose } => write!(
+                f,
+                "{subject}: its {quantity} does not fit the fixed-point number, which holds it up to {range}; \
+                 choose {choose}"
+            ),
+            Self::Past { asked, now } => write!(f, "t = {asked} is in the past: it is {now} now"),
+        }
+    }
+}
+
+impl core::error::Error for Error {}

@@ -1,0 +1,57 @@
+//! With what is a grain in contact, or about to collide? A grain, a plane or nothing, in one word; reads and writes nothing else.
+
+/// What a grain is in contact with, or what its next event is about: one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Partner(u32);
+
+impl Partner {
+    const FIRST_PLANE: u32 = u32::MAX - 255;
+    /// Nothing at all.
+    pub const NOTHING: Self = Self(u32::MAX);
+    /// The most grains a world can hold: the words above name planes.
+    pub const MAX_GRAINS: usize = Self::FIRST_PLANE as usize;
+
+    /// The grain with this number.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "setup refuses more than MAX_GRAINS")]
+    pub fn grain(index: usize) -> Self {
+        Self(index as u32)
+    }
+
+    /// The plane with this number.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "there are at most a handful of planes")]
+    pub fn plane(index: usize) -> Self {
+        Self(Self::FIRST_PLANE + index as u32)
+    }
+
+    /// The grain's number, if it is a grain.
+    #[must_use]
+    pub fn as_grain(self) -> Option<usize> {
+        (self.0 < Self::FIRST_PLANE).then_some(self.0 as usize)
+    }
+
+    /// The plane's number, if it is a plane.
+    #[must_use]
+    pub fn as_plane(self) -> Option<usize> {
+        let number = self.0.checked_sub(Self::FIRST_PLANE)?;
+        (self != Self::NOTHING).then_some(number as usize)
+    }
+
+    /// The word itself, for a digest.
+    #[must_use]
+    pub fn word(self) -> u32 {
+        self.0
+    }
+}
+
+impl core::fmt::Display for Partner {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match (self.as_grain(), self.as_plane()) {
+            (Some(i), _) => write!(f, "grain {i}"),
+            (_, Some(i)) => write!(f, "plane {i}"),
+            _ => f.write_str("nothing"),
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! How does a lasting contact begin, and go on when gravity changes? Reads bodies and an outcome; writes bodies, turned and bound (E^φ).
+
+use super::clearance::is_free;
+use super::context::Context;
+use super::effects::{EventOutcome, Incident};
+use super::impact_frame::ImpactFrame;
+use super::wake;
+use crate::law::Outcome;
+use crate::particle::{Body, Partner};
+use crate::scalar::{Scalar, Vector, WideProduct, dot, norm, reject};
+use crate::space::Plane;
+
+/// E^φ: the line of centres turns, both grains take the velocity of their centre of mass, and what
+/// they will have after the contact is kept for E^v (MP13 §VI.B.2). False if the turn would overlap a
+/// third body (exception a): then nothing has changed.
+pub(super) fn begin<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    [i, k]: [usize; 2],
+    [a, b]: &[Body<S, D>; 2],
+    (frame, outcome): (&ImpactFrame<S, D>, &Outcome<S>),
+) -> bool {
+    let (separation, velocity) = frame.after(a.radius + b.radius, outcome);
+    let mass = a.mass + b.mass;
+    let (share_a, share_b) = (b.mass / mass, -(a.mass / mass));
+    let moved = separation - context.domain.separation(a, b);
+    // Steps on the lattice: positions then do not depend on the image in which a grain is kept.
+    let step = |share| context.domain.boundary.on_lattice(moved * share);
+    let (at_a, at_b) = (a.position + step(share_a), b.position + step(share_b));
+    if !(has_room(context, i, at_a, Partner::grain(k))
+        && has_room(context, k, at_b, Partner::grain(i)))
+    {
+        context.count(Incident::RotationRefused);
+        return false;
+    }
+    let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / mass);
+    let bound = |body: &Body<S, D>, position, share, partner| {
+        let there = Body { position, velocity: centre, ..body.awake() };
+        Body {
+            velocity_change: velocity * share,
+            contact_end: context.now() + outcome.duration,
+            reference_time: uninterruptible_until(context, &there, outcome.duration),
+            partner: Partner::grain(partner),
+            ..there
+        }
+    };
+    let (bound_a, bound_b) = (bound(a, at_a, share_a, k), bound(b, at_b, share_b, i));
+    for (x, body, bound) in [(i, a, bound_a), (k, b, bound_b)] {
+        context.relocate(x, bound);
+        if body.is_supported() {
+            wake::woke(context, x);
+        }
+    }
+    true
+}
+
+/// E^φ against a plane: the grain stays at ε_r R from it for the contact duration; the motion along
+/// the plane goes on. If it cannot be put there it stays where it is.
+///
+/// So that gravity and the plane's own motion do not press the grain into the plane meanwhile, it
+/// starts with the normal velocity ż₀ + (z̈₀ − g_n) τ/2 and is at the same distance at the end. The
+/// momentum that they bring during a real contact is left out: an error of (z̈₀ − g_n) τ in the
+/// velocity. A grain too slow to outlast it comes to rest instead.
+pub(super) fn begin_with_plane<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    (i, p): (usize, usize),
+    body: &Body<S, D>,
+    plane: &Plane<S, D>,
+    (speed, outcome): (S, &Outcome<S>),
+) -> EventOutcome<S> {
+    let (n, start) = (&plane.normal, context.now());
+    let shift = body.radius * (outcome.separation - S::one())
+        - plane.gap(&body.position, body.radius, start);
+    let mut position = body.position + n * shift;
+    if !has_room(context, i, position, Partner::plane(p)) {
+        context.count(Incident::RotationRefused);
+        position = body.position;
+    }
+    let contact_end = start + outcome.duration;
+    let (now, later) = (plane.motion(start), plane.motion(contact_end));
+    let along = match plane.vibration {
+        Some(_) => (later.place - now.place) / outcome.duration.max(start.rounding()),
+        None => S::zero(),
+    };
+    let hold = along - dot(n, context.domain.gravity()) * outcome.duration * S::half();
+    let velocity = reject(&body.velocity, n) + n * hold;
+    let there = Body { position, velocity, ..*body };
+    let bound = Body {
+        velocity_change: n * (later.speed + speed * outcome.restitution),
+        contact_end,
+        reference_time: uninterruptible_until(context, &there, outcome.duration),
+        partner: Partner::plane(p),
+        ..there
+    };
+    context.relocate(i, bound.awake());
+    EventOutcome::ContactBegan(*outcome)
+}
+
+/// Gravity has changed during the contact of grain `i`: a third body may end it in time again, and one
+/// with a plane ends where it would have, or at once if gravity pulls the grain off visibly now.
+pub(crate) fn continue_under<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    i: usize,
+    before: &Vector<S, D>,
+) {
+    let Some(body) = context.particles.body(i).copied().filter(Body::in_contact) else { return };
+    let (mut body, now) = (body, context.now());
+    let left = body.contact_end - now;
+    let planes = context.domain.boundary.planes();
+    if let Some(plane) = body.partner.as_plane().and_then(|p| planes.get(p)) {
+        let n = &plane.normal;
+        body.velocity += n * (dot(n, &(before - context.domain.gravity())) * left * S::half());
+        if is_pulled_off(context, &body, plane, left) {
+            (body.contact_end, body.reference_time) = (now, now);
+        }
+    }
+    body.reference_time = body.reference_time.min(uninterruptible_until(context, &body, left));
+    context.replace(i, body);
+}
+
+/// Whether gravity points away from a plane and would move the grain visibly, by more than a 64th of its
+/// radius, during the contact: g τ²/8 is how far the contact would bend its path into the plane.
+pub(super) fn is_pulled_off<S: Scalar, const D: usize>(
+    context: &Context<'_, '_, S, D>,
+    body: &Body<S, D>,
+    plane: &Plane<S, D>,
+    duration: S,
+) -> bool {
+    let away = dot(&plane.normal, context.domain.gravity()) * duration;
+    away > S::zero() && away.times(duration) > body.radius.times(S::from_f32(0.125))
+}
+
+fn has_room<S: Scalar, const D: usize>(
+    context: &Context<'_, '_, S, D>,
+    grain: usize,
+    position: Vector<S, D>,
+    except: Partner,
+) -> bool {
+    is_free(context.particles, context.domain, context.now(), (grain, position, except))
+}
+
+/// Until when a contact that begins now cannot be ended by a third body: a 64th of its duration, or,
+/// if that is less, until it, or a plate towards it, can have moved a 64th of its radius or of its height
+/// above a plane.
+///
+/// Meanwhile a third body may sink in by v τ/64, a fraction of what it would in a real contact; and the
+/// centre of a grain that is pressed into a corner again and again does not come behind a plane.
+fn uninterruptible_until<S: Scalar, const D: usize>(
+    context: &Context<'_, '_, S, D>,
+    body: &Body<S, D>,
+    duration: S,
+) -> S {
+    let (part, planes) = (S::from_f32(1.0 / 64.0), context.domain.boundary.planes());
+    let height = planes.iter().fold(body.radius, |least, plane| {
+        let height = plane.gap(&body.position, body.radius, context.now()) + body.radius;
+        least.min(height.max(body.radius * part * part))
+    });
+    let plates = planes.iter().filter_map(|plane| plane.vibration);
+    let shaken = plates.fold(S::zero(), |most, plate| most.max(plate.peak_speed()));
+    let (far, g) = (height * part, norm(context.domain.gravity()));
+    let speed = norm(&body.velocity) + shaken;
+    // v t + g t²/2 = far, without cancellation.
+    let fastest = speed + (speed.times(speed) + (g + g).times(far)).sqrt();
+    let brief = duration * part;
+    context.now() + if fastest * brief > far + far { (far + far) / fastest } else { brief }
+}

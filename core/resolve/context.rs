@@ -1,0 +1,44 @@
+//! What does an event see and change? Particles and effects to write, domain, clock and parameters to read.
+
+use super::effects::{Effects, Incident};
+use super::parameters::Parameters;
+use crate::particle::Body;
+use crate::scalar::{Clock, Scalar};
+use crate::space::{Domain, Particles};
+
+/// What the resolution of one event works on.
+pub(crate) struct Context<'a, 'm, S: Scalar, const D: usize> {
+    pub particles: &'a mut Particles<'m, S, D>,
+    pub domain: &'a Domain<'m, S, D>,
+    pub clock: &'a Clock<S>,
+    pub parameters: &'a Parameters<S>,
+    pub effects: &'a mut Effects,
+}
+
+impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
+    /// The time of the event.
+    #[inline]
+    pub fn now(&self) -> S {
+        self.clock.now
+    }
+
+    /// A body as it is now.
+    pub fn present(&self, grain: usize) -> Body<S, D> {
+        self.particles.present(grain, self.domain, self.clock.now)
+    }
+
+    /// Writes a body whose velocity changed.
+    pub fn replace(&mut self, grain: usize, body: Body<S, D>) {
+        self.particles.replace(&self.domain.boundary, grain, body);
+    }
+
+    /// Writes a body that was put somewhere else.
+    pub fn relocate(&mut self, grain: usize, body: Body<S, D>) {
+        self.particles.relocate(&self.domain.boundary, grain, body);
+    }
+
+    /// Something happened that is worth counting.
+    pub fn count(&mut self, incident: Incident) {
+        self.effects.count(incident);
+    }
+}

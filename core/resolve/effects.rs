@@ -1,0 +1,90 @@
+//! What did an event do? Its outcome, what is worth counting, and whose predictions are void; reads and writes nothing else.
+
+use crate::law::Outcome;
+
+/// What an event did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum EventOutcome<S> {
+    /// An instantaneous collision with this coefficient of restitution.
+    Collision {
+        /// ε.
+        restitution: S,
+    },
+    /// A contact began (E^φ).
+    ContactBegan(Outcome<S>),
+    /// A contact ended (E^v).
+    ContactEnded,
+    /// A grain came to rest: on a plane, on which it may slide, or asleep among others.
+    CameToRest,
+    /// A grain at rest was let go.
+    TookOff,
+    /// A third body came before the contact's end, which was drawn forward to now.
+    ContactInterrupted,
+    /// A grain crossed into another cell; its trajectory is the same.
+    CellCrossed,
+    /// Nothing: a prediction was renewed, or a grain is still supported, or two part already.
+    Unchanged,
+}
+
+/// Something in an event that is worth counting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Incident {
+    /// Two grains collided, or their contact began.
+    Collision,
+    /// A grain and a plane did.
+    PlaneCollision,
+    /// A grain left a contact at its time.
+    Release,
+    /// A turn would have overlapped a third body.
+    RotationRefused,
+    /// A third body ended a contact before its time.
+    Interruption,
+    /// It had to wait until the contact could be ended.
+    Deferral,
+    /// The rule answered with the nearest impact in its domain.
+    Clamped,
+    /// The hard-sphere rule answered.
+    HardSphere,
+    /// A grain came to rest.
+    Rest,
+    /// A grain at rest was let go.
+    TakeOff,
+    /// A collision was made elastic because the last one was less than t_c or a hop time ago.
+    WithinTc,
+    /// A collision was made elastic because a collapse would not have ended.
+    Collapse,
+    /// A slow collision with a grain that gives way only as far as its supports let it.
+    SupportedCollision,
+}
+
+/// What an event leaves to be done and to be counted.
+#[derive(Default)]
+pub(crate) struct Effects {
+    /// The grains whose events must be predicted anew. No event concerns more than four.
+    pub void: heapless::Vec<usize, 4>,
+    /// They were at rest until now: those that lie on them must look again.
+    pub woken: heapless::Vec<usize, 4>,
+    /// What is worth counting. The longest list, of a grain laid down by two others, has six entries.
+    pub incidents: heapless::Vec<Incident, 12>,
+}
+
+impl Effects {
+    /// This grain's events must be predicted anew.
+    pub fn predict_anew(&mut self, grain: usize) {
+        if !self.void.contains(&grain) {
+            let _ = self.void.push(grain);
+        }
+    }
+
+    /// This grain was at rest until now.
+    pub fn wake(&mut self, grain: usize) {
+        let _ = self.woken.push(grain);
+    }
+
+    /// This is worth counting.
+    pub fn count(&mut self, incident: Incident) {
+        let full = self.incidents.push(incident);
+        debug_assert!(full.is_ok(), "an event has more incidents than there are places");
+    }
+}

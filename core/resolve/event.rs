@@ -1,0 +1,61 @@
+//! What does an event do? Reads the event and the rule; writes the bodies it concerns.
+
+use super::context::Context;
+use super::effects::EventOutcome;
+use super::{collision, contact_end, plane, wake};
+use crate::detect::{EventKind, ScheduledEvent};
+use crate::error::Error;
+use crate::law::Rule;
+use crate::particle::Partner;
+use crate::scalar::Scalar;
+use crate::space::CellFace;
+
+/// The event of a grain happens. What it leaves to be done stands in the context's effects.
+///
+/// # Errors
+/// What the rule refuses, and what it cannot answer for.
+pub(crate) fn resolve<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    (grain, event): (usize, &ScheduledEvent<S>),
+) -> Result<EventOutcome<S>, Error> {
+    match event.kind {
+        EventKind::Collision => touch(context, rule, (grain, event.partner)),
+        EventKind::ContactEnd => Ok(contact_end::end_in_time(context, grain)),
+        EventKind::TakeOff => Ok(wake::take_off(context, grain)),
+        EventKind::SupportCheck => Ok(wake::check_support(context, grain)),
+        EventKind::CellCrossing => Ok(cross(context, grain, event.face)),
+        EventKind::BoundarySentinel | EventKind::Recheck | EventKind::Nothing => {
+            Ok(EventOutcome::Unchanged)
+        }
+    }
+}
+
+/// Grain `i` touches its partner. If either is still in another contact, that is all that ends.
+fn touch<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    (i, partner): (usize, Partner),
+) -> Result<EventOutcome<S>, Error> {
+    let other = partner.as_grain();
+    context.effects.predict_anew(i);
+    other.into_iter().for_each(|k| context.effects.predict_anew(k));
+    if contact_end::interrupt(context, [Some(i), other]) {
+        return Ok(EventOutcome::ContactInterrupted);
+    }
+    match (other, partner.as_plane()) {
+        (Some(k), _) => collision::collide(context, rule, [i, k]),
+        (None, Some(p)) => plane::collide(context, rule, (i, p)),
+        (None, None) => Ok(EventOutcome::Unchanged),
+    }
+}
+
+/// Grain `i` leaves its cell: other grains are near it now; its motion stays the same.
+fn cross<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    i: usize,
+    face: u8,
+) -> EventOutcome<S> {
+    context.particles.cross(&context.domain.boundary, i, CellFace::from_code(face));
+    EventOutcome::CellCrossed
+}

@@ -1,0 +1,68 @@
+//! How do two grains move as they touch, and where does a contact leave them? Reads separation, velocity and outcome; writes those after it.
+
+use crate::law::{Impact, Outcome};
+use crate::particle::Body;
+use crate::scalar::{Scalar, Vector, WideProduct, norm};
+
+/// Two bodies as they touch: the relative coordinates of MP13, Eq. (5), seen from the second.
+pub(crate) struct ImpactFrame<S: Scalar, const D: usize> {
+    /// Unit vector from the second body to the first.
+    pub e_r: Vector<S, D>,
+    /// Unit vector of the tangential motion; zero if there is none.
+    e_t: Vector<S, D>,
+    /// Distance of the centres.
+    distance: S,
+    /// ṙ: negative.
+    pub radial: S,
+    /// |r φ̇|.
+    tangential: S,
+}
+
+impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
+    /// From separation r₁ − r₂ and relative velocity v₁ − v₂; none if the centres coincide.
+    pub fn new(separation: Vector<S, D>, velocity: Vector<S, D>) -> Option<Self> {
+        let distance = norm(&separation);
+        if !(distance > S::zero()) {
+            return None;
+        }
+        let e_r = separation / distance;
+        // The sign is that of r·v, as in the prediction: else rounding could make an event of nothing.
+        let radial = S::dot(&separation, &velocity).divided_by(distance);
+        let across = velocity - e_r * radial;
+        let tangential = if D > 1 { norm(&across) } else { S::zero() };
+        let e_t = if tangential > S::zero() { across / tangential } else { Vector::zeros() };
+        Some(Self { e_r, e_t, distance, radial, tangential })
+    }
+
+    /// What a rule may know of the two.
+    pub fn impact(&self, a: &Body<S, D>, b: &Body<S, D>) -> Impact<S> {
+        Impact {
+            contact_distance: a.radius + b.radius,
+            effective_radius: a.radius / (a.radius + b.radius) * b.radius,
+            reduced_mass: a.mass / (a.mass + b.mass) * b.mass,
+            normal_speed: -self.radial,
+            tangential_speed: self.tangential,
+            materials: [a.material, b.material],
+        }
+    }
+
+    /// Separation and relative velocity after the contact (MP13 Eqs. 24, 26, 28, 34–38).
+    ///
+    /// Distance and tangential speed change by ε_r and 1/ε_r, so angular momentum (Eq. 19) and, in an
+    /// elastic contact, energy are kept to the last place. Only a pair that still overlaps from an
+    /// interrupted contact is put where the contact's end belongs, ε_r l: overlaps cannot add up.
+    pub fn after(&self, reach: S, outcome: &Outcome<S>) -> (Vector<S, D>, Vector<S, D>) {
+        let (sin, cos) = outcome.angle.sin_cos();
+        let e_r = self.e_r * cos + self.e_t * sin;
+        let e_t = self.e_t * cos - self.e_r * sin;
+        let shallow = self.distance > reach * S::from_f64(1.0 - 1.0 / 1024.0);
+        let before = if shallow { self.distance } else { reach };
+        let distance = before * outcome.separation;
+        let tangential = self.tangential * (self.distance / before) / outcome.separation;
+        let radial = -self.radial * outcome.restitution;
+        if !(self.tangential > S::zero()) {
+            return (self.e_r * distance, self.e_r * radial);
+        }
+        (e_r * distance, e_r * radial + e_t * tangential)
+    }
+}

@@ -1,0 +1,24 @@
+//! What did the user choose for contacts? How they are interrupted, and which times are too short; reads and writes nothing.
+
+/// How a contact ends for its two grains when a third body interrupts it (MP13 §VI.B.5, exception b).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Release {
+    /// Both grains are released at once: angular momentum is kept.
+    #[default]
+    Paired,
+    /// Only the one that is hit is released; its partner goes on until the contact's own end.
+    Independent,
+}
+
+/// What a world was told about contacts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parameters<S> {
+    /// How an interrupted contact ends.
+    pub release: Release,
+    /// The TC rule's contact duration t_c; 0 without the rule.
+    pub t_c: S,
+    /// Shorter hops on other grains are none: follows from gravity, see [`super::support::min_hop_time`].
+    pub min_hop_time: S,
+}

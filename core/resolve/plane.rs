@@ -1,0 +1,81 @@
+//! What happens when a grain touches a plane? Reads the grain, the plane and the rule; writes the grain.
+
+use super::answer::ask;
+use super::context::Context;
+use super::effects::{EventOutcome, Incident};
+use super::{contact, instantaneous, rest};
+use crate::error::Error;
+use crate::law::{Impact, Response, Rule};
+use crate::particle::{Body, Partner};
+use crate::scalar::{Scalar, WideProduct, dot};
+use crate::space::{Plane, Surface};
+
+/// Grain `i` touches plane `p`.
+pub(super) fn collide<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    (i, p): (usize, usize),
+) -> Result<EventOutcome<S>, Error> {
+    let Some(plane) = context.domain.boundary.planes().get(p) else {
+        return Ok(EventOutcome::Unchanged);
+    };
+    let mut body = context.present(i);
+    let mut speed = plane.motion(context.now()).speed - dot(&plane.normal, &body.velocity);
+    if speed < S::zero() {
+        // The peak of a flight below the surface, where only rounding is left of the speed.
+        body.velocity += plane.normal * speed;
+        speed = S::zero();
+    }
+    let response = match plane.surface {
+        Surface::Hard(restitution) => Response::Instantaneous(restitution),
+        Surface::Rule => {
+            let fall = dot(&plane.normal, context.domain.gravity());
+            let weight = plane.motion(context.now()).acceleration - fall;
+            let impact = impact(&body, speed, weight);
+            ask(rule, &impact, context.effects, (i, Partner::plane(p)))?
+        }
+    };
+    context.count(Incident::PlaneCollision);
+    respond(context, (i, p), (&body, plane), (speed, response))
+}
+
+fn respond<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    (i, p): (usize, usize),
+    (body, plane): (&Body<S, D>, &Plane<S, D>),
+    (speed, response): (S, Response<S>),
+) -> Result<EventOutcome<S>, Error> {
+    match response {
+        Response::Lasting(outcome) => {
+            let after = [speed * outcome.restitution, outcome.restitution, outcome.duration];
+            if rest::comes_to_rest_on(context, body, p, after) {
+                return Ok(rest::lay_on_plane(context, i, body, p));
+            }
+            if contact::is_pulled_off(context, body, plane, outcome.duration) {
+                context.count(Incident::HardSphere);
+                return instantaneous::reflect(context, (i, p), body, [speed, outcome.restitution]);
+            }
+            Ok(contact::begin_with_plane(context, (i, p), body, plane, (speed, &outcome)))
+        }
+        Response::Instantaneous(restitution) => {
+            instantaneous::reflect(context, (i, p), body, [speed, restitution])
+        }
+        Response::Refused { .. } | Response::Overflow(_) => Ok(EventOutcome::Unchanged),
+    }
+}
+
+/// Against a plane the other body is infinitely heavy and flat, and nothing turns.
+///
+/// Under gravity a contact slower than the fall through 5e-7 R is given the duration of that speed:
+/// below it the weight, not the impact, decides how long a contact lasts.
+fn impact<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: S) -> Impact<S> {
+    let floor = S::from_f64(1e-3) * g.abs().times(body.radius).sqrt();
+    Impact {
+        contact_distance: body.radius,
+        effective_radius: body.radius,
+        reduced_mass: body.mass,
+        normal_speed: speed.max(floor),
+        tangential_speed: S::zero(),
+        materials: [body.material; 2],
+    }
+}

@@ -1,0 +1,28 @@
+//! What is a value? The operations the engine uses on numbers, and on vectors and times made of them.
+//!
+//! Everything above this room is written against [`Scalar`]: `f32`, `f64` and, with the feature `fixed`,
+//! `I32F32` and `I16F16`. All transcendental functions come from software, so a target
+//! with a floating-point unit gives the same bits as one without; fixed point uses no float at all.
+
+#[cfg(feature = "micromath")]
+pub mod approximate;
+mod clock;
+#[cfg(feature = "fixed")]
+mod fixed;
+mod float;
+mod instant;
+mod lanes;
+mod traits;
+mod trigonometry;
+mod vector;
+
+pub use carom_tables::Real;
+#[cfg(feature = "fixed")]
+pub use carom_tables::number::{I16F16, I32F32};
+pub(crate) use clock::Clock;
+pub use instant::{Instant, TimeSpan};
+pub(crate) use lanes::{LANES, Lanes};
+pub use traits::{
+    Comparison, Elementary, Products, Range, Rounding, Scalar, Timekeeping, Vector, WideProduct,
+};
+pub(crate) use vector::{all_finite, component, dot, max_abs, norm, reject};

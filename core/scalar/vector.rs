@@ -1,0 +1,37 @@
+//! How long is a vector, and which part of it lies along another? Reads vectors; writes nothing.
+
+use super::traits::{Scalar, Vector, WideProduct};
+
+/// Whether every component can be computed with.
+pub fn all_finite<S: Scalar, const D: usize>(v: &Vector<S, D>) -> bool {
+    v.iter().all(|x| x.is_finite())
+}
+
+/// A component of a vector; zero for an axis that there is not.
+#[inline(always)]
+pub fn component<S: Scalar, const D: usize>(v: &Vector<S, D>, axis: usize) -> S {
+    let [column] = &v.data.0;
+    column.get(axis).copied().unwrap_or(S::zero())
+}
+
+/// The scalar product.
+#[inline]
+pub fn dot<S: Scalar, const D: usize>(a: &Vector<S, D>, b: &Vector<S, D>) -> S {
+    S::dot(a, b).rounded()
+}
+
+/// The length of a vector.
+#[inline]
+pub fn norm<S: Scalar, const D: usize>(v: &Vector<S, D>) -> S {
+    S::dot(v, v).sqrt()
+}
+
+/// The magnitude of the largest component.
+pub fn max_abs<S: Scalar, const D: usize>(v: &Vector<S, D>) -> S {
+    v.iter().fold(S::zero(), |most, x| most.max(x.abs()))
+}
+
+/// The part of a vector at right angles to a unit vector.
+pub fn reject<S: Scalar, const D: usize>(v: &Vector<S, D>, n: &Vector<S, D>) -> Vector<S, D> {
+    v - n * dot(n, v)
+}

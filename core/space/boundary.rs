@@ -1,0 +1,207 @@
+//! Where does space end? Periodic axes and planes; reads positions, writes wrapped ones.
+
+use super::plane::Plane;
+use crate::scalar::{Instant, Scalar, Vector, component};
+
+/// How many planes a world can have, if its memory has place for them.
+pub const MAX_PLANES: usize = 8;
+
+/// A periodic axis from `low` to `low + length`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct PeriodicAxis<S> {
+    /// Where the box begins.
+    pub low: S,
+    /// How long it is.
+    pub length: S,
+}
+
+/// All of a world's boundaries.
+#[derive(Debug)]
+pub struct Boundary<'m, S: Scalar, const D: usize> {
+    /// Where periodic axes begin.
+    low: Vector<S, D>,
+    /// How long periodic axes are; zero for the others.
+    length: Vector<S, D>,
+    /// What rounds a position to the lattice of a periodic axis, see [`Scalar::lattice`]; else zero.
+    lattice: Vector<S, D>,
+    /// Places for planes, lent by the world's memory.
+    planes: &'m mut [Plane<S, D>],
+    /// How many of them are taken.
+    count: u8,
+}
+
+/// The boundaries as a snapshot keeps them.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct SavedBoundary<S: Scalar, const D: usize> {
+    low: Vector<S, D>,
+    length: Vector<S, D>,
+    pub planes: heapless::Vec<Plane<S, D>, MAX_PLANES>,
+}
+
+impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
+    /// Open space, with places for planes.
+    pub(crate) fn open(planes: &'m mut [Plane<S, D>]) -> Self {
+        let zero = Vector::zeros();
+        Self { low: zero, length: zero, lattice: zero, planes, count: 0 }
+    }
+
+    /// How many planes there can be.
+    pub(crate) fn capacity(&self) -> usize {
+        self.planes.len().min(MAX_PLANES)
+    }
+
+    /// The boundaries for a snapshot.
+    pub(crate) fn save(&self) -> SavedBoundary<S, D> {
+        SavedBoundary {
+            low: self.low,
+            length: self.length,
+            planes: self.planes().iter().copied().collect(),
+        }
+    }
+
+    /// Takes over those of a snapshot; false if there is no place for a plane.
+    pub(crate) fn restore(&mut self, saved: &SavedBoundary<S, D>) -> bool {
+        (self.low, self.length, self.count) = (saved.low, saved.length, 0);
+        saved.planes.iter().all(|&plane| self.add_plane(plane))
+    }
+
+    /// Makes an axis periodic. Its length is put on the lattice of its positions. An axis that does not
+    /// exist is ignored.
+    pub(crate) fn set_periodic(
+        &mut self,
+        axis: usize,
+        PeriodicAxis { low, length }: PeriodicAxis<S>,
+    ) {
+        let far = low.abs().max((low + length).abs());
+        let lattice = S::lattice(far);
+        let fields = [
+            (&mut self.low, low),
+            (&mut self.length, (length + lattice) - lattice),
+            (&mut self.lattice, lattice),
+        ];
+        for (vector, value) in fields {
+            if let Some(x) = vector.get_mut(axis) {
+                *x = value;
+            }
+        }
+    }
+
+    /// Adds a plane; false if there is no place for it.
+    pub(crate) fn add_plane(&mut self, plane: Plane<S, D>) -> bool {
+        let (most, number) = (self.capacity(), usize::from(self.count));
+        match self.planes.get_mut(number).filter(|_| number < most) {
+            Some(place) => {
+                *place = plane;
+                self.count += 1;
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// From now on clocks count from this epoch.
+    pub(crate) fn set_epoch(&mut self, epoch: Instant) {
+        let planes = self.planes.iter_mut().take(self.count.into());
+        for vibration in planes.filter_map(|plane| plane.vibration.as_mut()) {
+            vibration.set_epoch(epoch);
+        }
+    }
+
+    /// What a periodic axis is; none if it is not one.
+    #[must_use]
+    pub fn periodic(&self, axis: usize) -> Option<PeriodicAxis<S>> {
+        let (&low, &length) = (self.low.get(axis)?, self.length.get(axis)?);
+        (length != S::zero()).then_some(PeriodicAxis { low, length })
+    }
+
+    /// An interval along an axis, its ends put onto the planes that stand across that axis.
+    pub(crate) fn between_planes(&self, axis: usize, [mut low, mut high]: [S; 2]) -> [S; 2] {
+        for plane in self.planes() {
+            match plane.normal.get(axis) {
+                Some(&n) if n == S::one() => low = plane.offset,
+                Some(&n) if n == -S::one() => high = -plane.offset,
+                _ => {}
+            }
+        }
+        [low, high]
+    }
+
+    /// The planes, in the order in which they were added.
+    #[must_use]
+    pub fn planes(&self) -> &[Plane<S, D>] {
+        self.planes.get(..self.count.into()).unwrap_or_default()
+    }
+
+    /// Whether no axis is periodic.
+    pub(crate) fn is_open(&self) -> bool {
+        self.length.iter().all(|&length| length == S::zero())
+    }
+
+    /// The periodic axes and their numbers.
+    pub fn periodic_axes(&self) -> impl Iterator<Item = (usize, PeriodicAxis<S>)> + '_ {
+        (0..D).filter_map(|axis| self.periodic(axis).map(|p| (axis, p)))
+    }
+
+    /// The separation of the nearest images (minimum image), given that of two positions near the box.
+    ///
+    /// Both lie within a quarter of the box's length of it (the max_displacement sees to
+    /// that), so one box length is all there can be to take off.
+    #[must_use]
+    #[inline]
+    pub fn nearest(&self, separation: Vector<S, D>) -> Vector<S, D> {
+        separation.zip_map(&self.length, |x, length| {
+            let half = length * S::half();
+            let over = if x > half { length } else { S::zero() };
+            x - if x < -half { -length } else { over }
+        })
+    }
+
+    /// How long a periodic axis is; zero for the others.
+    #[inline]
+    pub(crate) fn periodic_length(&self, axis: usize) -> S {
+        component(&self.length, axis)
+    }
+
+    /// A position on the lattice of the periodic axes, or a step from one to another.
+    #[must_use]
+    #[inline]
+    pub(crate) fn on_lattice(&self, x: Vector<S, D>) -> Vector<S, D> {
+        (x + self.lattice) - self.lattice
+    }
+
+    /// The image inside the periodic box of a position near it.
+    #[must_use]
+    pub fn wrap(&self, position: Vector<S, D>) -> Vector<S, D> {
+        let inside = |x: S, low: S, length: S| {
+            if x < low {
+                x + length
+            } else if x >= low + length {
+                x - length
+            } else {
+                x
+            }
+        };
+        position.zip_zip_map(&self.low, &self.length, inside)
+    }
+
+    /// The image inside the periodic box of a position anywhere.
+    pub(crate) fn wrap_from_far(&self, mut position: Vector<S, D>) -> Vector<S, D> {
+        for (axis, p) in self.periodic_axes() {
+            if let Some(x) = position.get_mut(axis) {
+                *x -= p.length * ((*x - p.low) / p.length).floor();
+            }
+        }
+        self.wrap(position)
+    }
+
+    /// How far a grain may fly along a periodic axis before its neighbours must be looked at again.
+    ///
+    /// A pair is tried in its nearest image only. Another image is at least half a box away, so it
+    /// cannot touch before the two have moved L/2 − 2 R_max against each other: half of it each.
+    #[must_use]
+    pub(crate) fn max_displacement(periodic: &PeriodicAxis<S>, largest_radius: S) -> S {
+        (periodic.length * S::half() - (largest_radius + largest_radius)) * S::half()
+    }
+}

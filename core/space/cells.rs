@@ -1,0 +1,174 @@
+//! Who is near whom? Linked lists of grains in the cells of a grid, in borrowed memory; reads cells, writes lists.
+
+use super::grid::{CellBlock, CellFace, Grid, NOWHERE};
+use super::neighbours::{BATCH, END, MORE, NeighbourBatch, put};
+use crate::scalar::Scalar;
+
+/// Before and after in the list of a grain's cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Link {
+    next: u32,
+    previous: u32,
+}
+
+impl Default for Link {
+    fn default() -> Self {
+        Self { next: END, previous: END }
+    }
+}
+
+/// The lists of grains in cells, in borrowed memory.
+pub(crate) struct Cells<'m, S: Scalar, const D: usize> {
+    /// None: all pairs are neighbours.
+    pub grid: Option<Grid<S, D>>,
+    heads: &'m mut [u32],
+    links: &'m mut [Link],
+}
+
+impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
+    /// Empty lists; `links` has one entry for each grain.
+    pub fn new(grid: Option<Grid<S, D>>, heads: &'m mut [u32], links: &'m mut [Link]) -> Self {
+        let mut cells = Self { grid: None, heads, links };
+        cells.reset(grid);
+        cells
+    }
+
+    /// Empties all lists and takes this grid; false if it has more cells than there is room for, or is none.
+    pub fn reset(&mut self, grid: Option<Grid<S, D>>) -> bool {
+        self.heads.fill(END);
+        self.links.fill(Link::default());
+        let fits = grid.as_ref().is_none_or(|g| g.is_valid() && g.cells() <= self.heads.len());
+        self.grid = grid.filter(|_| fits);
+        fits
+    }
+
+    /// How many cells there is room for.
+    pub fn capacity(&self) -> usize {
+        self.heads.len()
+    }
+
+    /// Puts a grain into a cell's list.
+    #[expect(clippy::cast_possible_truncation, reason = "the builder refuses more than MAX_GRAINS")]
+    pub fn insert(&mut self, grain: usize, cell: u32) {
+        let Some(head) = self.heads.get_mut(cell as usize) else { return };
+        let next = *head & !MORE;
+        *head = grain as u32 | if next == END { 0 } else { MORE };
+        if let Some(link) = self.links.get_mut(next as usize) {
+            link.previous = grain as u32;
+        }
+        if let Some(link) = self.links.get_mut(grain) {
+            *link = Link { next, previous: END };
+        }
+    }
+
+    /// Takes a grain out of its cell's list.
+    pub fn remove(&mut self, grain: usize, cell: u32) {
+        let Some(Link { next, previous }) = self.links.get(grain).copied() else { return };
+        if let Some(link) = self.links.get_mut(next as usize) {
+            link.previous = previous;
+        }
+        if let Some(link) = self.links.get_mut(previous as usize) {
+            link.next = next;
+        }
+        if let Some(head) = self.heads.get_mut(cell as usize) {
+            let first = if previous == END { next } else { *head & !MORE };
+            let after = self.links.get(first as usize).map_or(END, |link| link.next);
+            *head = first | if after == END { 0 } else { MORE };
+        }
+    }
+
+    /// Visits all grains in this cell and its neighbours; all grains, if there is no grid.
+    pub fn for_each_near(&self, cell: u32, mut visit: impl FnMut(usize)) {
+        self.batches(&self.coordinates(cell), END, &mut |batch: &NeighbourBatch| {
+            batch.all().iter().for_each(|&grain| visit(grain as usize));
+        });
+    }
+
+    /// A cell's numbers along the axes; zeros without a grid.
+    #[inline]
+    pub fn coordinates(&self, cell: u32) -> [u32; D] {
+        self.grid.as_ref().map_or([0; D], |grid| grid.coordinates(cell))
+    }
+
+    /// The same for the cell with these numbers along the axes, in batches, filled up with a number of one's choice.
+    #[inline]
+    pub fn batches(&self, at: &[u32; D], filler: u32, visit: &mut impl FnMut(&NeighbourBatch)) {
+        match &self.grid {
+            None => everyone(self.links.len(), filler, visit),
+            Some(grid) => self.within(&grid.around(at), filler, visit),
+        }
+    }
+
+    /// The same after a grain has come into this cell: only those that were not near before.
+    #[inline]
+    pub fn ahead(
+        &self,
+        at: &[u32; D],
+        face: CellFace,
+        filler: u32,
+        visit: &mut impl FnMut(&NeighbourBatch),
+    ) {
+        let Some(grid) = &self.grid else { return };
+        self.within(&grid.ahead(at, face), filler, visit);
+    }
+
+    /// Visits the grains of these cells.
+    ///
+    /// They are gathered first, without a branch on whether there is one in a cell, and those behind the first in
+    /// their lists after that: a chase from grain to grain and computations with them go badly together.
+    #[inline(never)]
+    fn within(&self, around: &CellBlock, filler: u32, visit: &mut impl FnMut(&NeighbourBatch)) {
+        let mut batch = NeighbourBatch::new(filler, around.same_image);
+        let [along @ [first, second, third], near, far] = &around.steps;
+        let side_by_side = *second == first + 1 && *third == second + 1;
+        for row in far {
+            for row in near.iter().map(|step| row + step).filter(|&row| row < NOWHERE) {
+                let three =
+                    self.heads.get((row + first) as usize..).and_then(<[u32]>::first_chunk::<3>);
+                if let Some(three) = three.filter(|_| side_by_side) {
+                    three.iter().for_each(|&head| batch.put_list(head));
+                    continue;
+                }
+                let cells = along.iter().filter_map(|step| self.heads.get((row + step) as usize));
+                cells.for_each(|&head| batch.put_list(head));
+            }
+        }
+        for list in 0..batch.lists {
+            let first = batch.more.get(list).copied().unwrap_or(END);
+            self.gather_list(first, &mut batch, filler, visit);
+        }
+        batch.flush(filler, visit);
+    }
+
+    /// Gathers all but the first of a list, and makes room.
+    #[inline]
+    fn gather_list(
+        &self,
+        first: u32,
+        batch: &mut NeighbourBatch,
+        filler: u32,
+        visit: &mut impl FnMut(&NeighbourBatch),
+    ) {
+        let mut grain = first;
+        while let Some(Link { next, .. }) = self.links.get(grain as usize).filter(|l| l.next != END)
+        {
+            if batch.count == BATCH {
+                batch.flush(filler, visit);
+            }
+            put(&mut batch.grains, batch.count, *next);
+            batch.count += 1;
+            grain = *next;
+        }
+    }
+}
+
+/// Visits all grains.
+#[expect(clippy::cast_possible_truncation, reason = "the builder refuses more than MAX_GRAINS")]
+fn everyone(grains: usize, filler: u32, visit: &mut impl FnMut(&NeighbourBatch)) {
+    for first in (0..grains).step_by(BATCH) {
+        let mut batch = NeighbourBatch::new(filler, false);
+        batch.grains = core::array::from_fn(|i| (first + i) as u32);
+        batch.count = BATCH.min(grains - first);
+        batch.flush(filler, visit);
+    }
+}

@@ -1,0 +1,295 @@
+//! Which cell is where? Cuts space into cells; reads the boundary and the density at the start, writes nothing.
+//!
+//! Cells are at least as wide as the largest grain's diameter, so only grains in the same or a neighbouring cell
+//! can touch. The outermost cells of an axis that is not periodic reach to infinity, so the grid is
+//! right for grains anywhere. A periodic axis needs four cells, so that the nearest image of a
+//! neighbour is the one that can touch; where there are fewer, all pairs are neighbours.
+
+use super::boundary::Boundary;
+use crate::particle::Body;
+use crate::scalar::{Scalar, Vector};
+
+/// The width of a cell, if grains are far from each other, in units of the space a grain has: measured.
+const CELL_WIDTH: f64 = 0.8;
+
+/// For more axes there are no grids.
+const MAX_AXES: usize = 3;
+
+/// From here on there are no cells: sums of a few such numbers do not overflow.
+pub(super) const NOWHERE: u32 = 1 << 28;
+
+/// What the three cells along an axis, below, same and above, add to a cell's number; `NOWHERE` if there is none.
+pub(super) type Steps = [u32; 3];
+
+/// The cells around one: a step along each axis leads to each.
+pub(super) struct CellBlock {
+    pub steps: [Steps; MAX_AXES],
+    /// Whether none of them goes round a periodic axis.
+    pub same_image: bool,
+}
+
+/// The cells along one axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct GridAxis<S> {
+    low: S,
+    width: S,
+    count: u32,
+    periodic: bool,
+    /// The length of a periodic axis; else zero.
+    length: S,
+}
+
+/// The cells along all axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Grid<S: Scalar, const D: usize> {
+    axes: Vector<GridAxis<S>, D>,
+}
+
+/// A face of a cell, through which a grain crosses into the next: across which axis, and whether upwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct CellFace {
+    pub axis: usize,
+    pub up: bool,
+}
+
+impl CellFace {
+    /// As one byte.
+    #[expect(clippy::cast_possible_truncation, reason = "there are at most a few axes")]
+    pub fn code(self) -> u8 {
+        2 * self.axis as u8 + u8::from(self.up)
+    }
+
+    /// From one byte.
+    pub fn from_code(code: u8) -> Self {
+        Self { axis: usize::from(code / 2), up: code % 2 == 1 }
+    }
+}
+
+impl<S: Scalar, const D: usize> Grid<S, D> {
+    /// The grid with at least half a grain a cell, cells no narrower than `reach`, at most `most` of them;
+    /// none if that leaves fewer than four along a periodic axis.
+    pub(crate) fn choose(
+        boundary: &Boundary<S, D>,
+        bodies: &[Body<S, D>],
+        reach: S,
+        most: usize,
+    ) -> Option<Self> {
+        let sides: [[S; 2]; D] = core::array::from_fn(|axis| extent(boundary, bodies, axis));
+        let volume: f64 = sides.iter().map(|[low, high]| (*high - *low).to_f64()).product();
+        let dense = libm::pow(volume / bodies.len().max(1) as f64, 1.0 / D as f64);
+        let mut width = (dense * CELL_WIDTH).max(1.001 * reach.to_f64());
+        if !(width > 0.0 && width.is_finite()) || D > MAX_AXES {
+            return None;
+        }
+        // Each round makes cells an eighth wider; 500 of them span any range of widths.
+        for _ in 0..500 {
+            let along = |axis| {
+                let side = sides.get(axis).copied().unwrap_or_default();
+                along(side, boundary.periodic(axis).map(|p| p.length), width)
+            };
+            let axes: [GridAxis<S>; D] = core::array::from_fn(along);
+            let cells: f64 = axes.iter().map(|l| f64::from(l.count)).product();
+            if axes.iter().any(|along| along.periodic && along.count < 4) {
+                return None;
+            }
+            if cells <= most.min(NOWHERE as usize) as f64 {
+                return (cells >= 8.0).then(|| Self { axes: Vector::from(axes) });
+            }
+            width *= 1.125;
+        }
+        None
+    }
+
+    /// Whether every axis can be counted with: a grid may have been read from a file.
+    pub(super) fn is_valid(&self) -> bool {
+        let valid = |l: &GridAxis<S>| l.count > 0 && l.count <= 1 << 20 && l.width > S::zero();
+        self.axes.as_slice().iter().all(valid) && self.cells() <= NOWHERE as usize
+    }
+
+    /// Whether it is a grid for this box and grains of this diameter, zero if there is none.
+    pub(crate) fn fits(&self, boundary: &Boundary<S, D>, reach: S) -> bool {
+        self.axes.as_slice().iter().enumerate().all(|(axis, along)| {
+            let length = along.width * S::from_count(along.count);
+            let same = match boundary.periodic(axis) {
+                Some(p) => {
+                    let off = (length - p.length).abs();
+                    along.periodic
+                        && along.length == p.length
+                        && along.low == p.low
+                        && along.count >= 4
+                        && (off < reach * S::from_f32(1e-3) || reach == S::zero())
+                }
+                None => !along.periodic && along.length == S::zero(),
+            };
+            // The only cell of an open axis reaches to infinity, however wide it is.
+            same && along.low.is_finite() && (along.width >= reach || along.count == 1)
+        })
+    }
+
+    /// Whether a position lies in a cell, or so near that only rounding can tell.
+    pub(crate) fn holds(&self, cell: u32, position: &Vector<S, D>) -> bool {
+        let at = self.coordinates(cell);
+        (cell as usize) < self.cells()
+            && self.axes.as_slice().iter().zip(position.iter()).enumerate().all(
+                |(axis, (along, &x))| {
+                    let near = -along.width * S::from_f32(1e-3);
+                    self.faces(&at, axis, x).into_iter().flatten().all(|gap| gap >= near)
+                },
+            )
+    }
+
+    /// How many cells there are.
+    pub(crate) fn cells(&self) -> usize {
+        self.axes
+            .as_slice()
+            .iter()
+            .fold(1, |n: usize, along| n.saturating_mul(along.count as usize))
+    }
+
+    /// The cell of a position inside the box.
+    pub(crate) fn locate(&self, position: &Vector<S, D>) -> u32 {
+        let mut at = [0; D];
+        for ((c, along), &x) in at.iter_mut().zip(self.axes.as_slice()).zip(position.as_slice()) {
+            *c = along.index(x);
+        }
+        self.number(&at)
+    }
+
+    /// A cell's numbers along the axes.
+    pub(crate) fn coordinates(&self, mut cell: u32) -> [u32; D] {
+        let mut at = [0; D];
+        for (c, along) in at.iter_mut().zip(self.axes.as_slice().iter()) {
+            // No axis is without cells; said like this no panic is linked for it.
+            let above = cell.checked_div(along.count).unwrap_or(0);
+            *c = cell - above * along.count;
+            cell = above;
+        }
+        at
+    }
+
+    /// The cells around one, itself included.
+    #[inline]
+    pub(super) fn around(&self, at: &[u32; D]) -> CellBlock {
+        let (mut scale, mut same_image) = (1, true);
+        let mut steps = [[0, NOWHERE, NOWHERE]; MAX_AXES];
+        for ((steps, along), &c) in steps.iter_mut().zip(self.axes.as_slice()).zip(at) {
+            let to = |c: Option<u32>| c.map_or(NOWHERE, |c| c * scale);
+            *steps = [to(along.below(c)), c * scale, to(along.above(c))];
+            same_image &= !along.periodic || (c > 0 && c + 1 < along.count);
+            scale *= along.count;
+        }
+        CellBlock { steps, same_image }
+    }
+
+    /// Of the cells around one those that a crossing of this face into it has brought near.
+    #[inline]
+    pub(super) fn ahead(&self, at: &[u32; D], face: CellFace) -> CellBlock {
+        let mut around = self.around(at);
+        if let Some([below, same, above]) = around.steps.get_mut(face.axis) {
+            let next = if face.up { *above } else { *below };
+            (*below, *same, *above) = (next, NOWHERE, NOWHERE);
+        }
+        around
+    }
+
+    /// The number of the cell with these coordinates.
+    fn number(&self, at: &[u32; D]) -> u32 {
+        let (mut number, mut scale) = (0, 1);
+        for (&c, along) in at.iter().zip(self.axes.as_slice()) {
+            number += c * scale;
+            scale *= along.count;
+        }
+        number
+    }
+
+    /// The distances from a position to the lower and upper face of its cell along an axis; none where
+    /// the cell reaches to infinity.
+    pub(crate) fn faces(&self, at: &[u32; D], axis: usize, x: S) -> [Option<S>; 2] {
+        let (Some(&c), Some(along)) = (at.get(axis), self.axes.as_slice().get(axis)) else {
+            return [None, None];
+        };
+        let face = |c: u32| along.low + along.width * S::from_count(c);
+        let low = along.below(c).map(|_| x - face(c));
+        let high = along.above(c).map(|_| face(c + 1) - x);
+        [low, high]
+    }
+
+    /// Where this face of a cell is, and whether there is another cell behind it.
+    #[inline]
+    pub(crate) fn face_ahead(&self, at: &[u32; D], face: CellFace) -> (S, bool) {
+        let [axes] = &self.axes.data.0;
+        let (Some(&c), Some(along)) = (at.get(face.axis), axes.get(face.axis)) else {
+            return (S::zero(), false);
+        };
+        let number = c + u32::from(face.up);
+        let last = number == if face.up { along.count } else { 0 };
+        (along.low + along.width * S::from_count(number), along.periodic | !last)
+    }
+
+    /// The cell behind a face, and by how many box lengths along the axis the position must be moved.
+    pub(crate) fn across(&self, cell: u32, face: CellFace) -> Option<(u32, S)> {
+        let mut at = self.coordinates(cell);
+        let (c, along) = (at.get_mut(face.axis)?, self.axes.as_slice().get(face.axis)?);
+        let moved = along.next(*c, face.up)?;
+        let turns = match (face.up, moved) {
+            (true, 0) => -S::one(),
+            (false, m) if m + 1 == along.count && *c == 0 => S::one(),
+            _ => S::zero(),
+        };
+        *c = moved;
+        Some((self.number(&at), turns))
+    }
+}
+
+impl<S: Scalar> GridAxis<S> {
+    fn index(&self, x: S) -> u32 {
+        ((x - self.low) / self.width).to_count().min(self.count - 1)
+    }
+
+    /// The cell beside one.
+    fn next(&self, c: u32, up: bool) -> Option<u32> {
+        if up { self.above(c) } else { self.below(c) }
+    }
+
+    fn below(&self, c: u32) -> Option<u32> {
+        if c > 0 { Some(c - 1) } else { self.periodic.then(|| self.count - 1) }
+    }
+
+    fn above(&self, c: u32) -> Option<u32> {
+        if c + 1 < self.count { Some(c + 1) } else { self.periodic.then_some(0) }
+    }
+}
+
+/// From where to where the grains can be along an axis: the box, or where they are at the start.
+fn extent<S: Scalar, const D: usize>(
+    boundary: &Boundary<S, D>,
+    bodies: &[Body<S, D>],
+    axis: usize,
+) -> [S; 2] {
+    if let Some(p) = boundary.periodic(axis) {
+        return [p.low, p.low + p.length];
+    }
+    let (mut low, mut high) = (S::NEVER, -S::NEVER);
+    for body in bodies {
+        if let Some(&x) = body.position.get(axis) {
+            low = low.min(x - body.radius);
+            high = high.max(x + body.radius);
+        }
+    }
+    boundary.between_planes(axis, [low, high])
+}
+
+fn along<S: Scalar>([low, high]: [S; 2], periodic: Option<S>, width: f64) -> GridAxis<S> {
+    let length = periodic.unwrap_or(high - low).to_f64();
+    let count = ((length / width) as u32).clamp(1, 1 << 20);
+    let width = S::from_f64(length / f64::from(count));
+    GridAxis {
+        low,
+        width,
+        count,
+        periodic: periodic.is_some(),
+        length: periodic.unwrap_or(S::zero()),
+    }
+}

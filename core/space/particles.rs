@@ -1,0 +1,144 @@
+//! Which grains are there, and in which cell is each? Reads the domain; writes bodies and the lists of cells.
+
+use super::boundary::Boundary;
+use super::cells::Cells;
+use super::domain::Domain;
+use super::flight;
+use super::grid::{CellFace, Grid};
+use crate::error::{Error, Subject};
+use crate::particle::{Body, Partner};
+use crate::scalar::Scalar;
+
+/// All bodies, and who is near whom.
+pub(crate) struct Particles<'m, S: Scalar, const D: usize> {
+    /// Each at its own clock.
+    pub bodies: &'m mut [Body<S, D>],
+    pub cells: Cells<'m, S, D>,
+    pub largest_radius: S,
+    /// How many bodies something holds against gravity.
+    pub supported: usize,
+    /// Whether a slow collision that would have lost energy was made elastic: hops on planes may end then.
+    pub lossy_hops: bool,
+}
+
+impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
+    /// These bodies, each in its cell.
+    pub fn new(bodies: &'m mut [Body<S, D>], cells: Cells<'m, S, D>) -> Self {
+        let largest_radius = largest_radius(bodies);
+        let mut all = Self { bodies, cells, largest_radius, supported: 0, lossy_hops: false };
+        all.fill_cells();
+        all
+    }
+
+    /// The body as it is now. An index out of range gives an empty place; none is ever asked for.
+    pub fn present(&self, grain: usize, domain: &Domain<'_, S, D>, now: S) -> Body<S, D> {
+        match self.bodies.get(grain) {
+            Some(body) => flight::at(body, domain, now),
+            None => Body::default(),
+        }
+    }
+
+    /// The body as it was kept, at its own clock.
+    #[inline]
+    pub fn body(&self, grain: usize) -> Option<&Body<S, D>> {
+        self.bodies.get(grain)
+    }
+
+    /// Whether the two are in contact with each other.
+    pub fn are_in_contact(&self, a: usize, b: usize) -> bool {
+        let partner = |i: usize| self.body(i).map_or(Partner::NOTHING, |x| x.partner);
+        partner(a) == Partner::grain(b) && partner(b) == Partner::grain(a)
+    }
+
+    /// Writes a body whose velocity changed: events predicted for it are void.
+    pub fn replace(&mut self, boundary: &Boundary<'_, S, D>, grain: usize, mut body: Body<S, D>) {
+        body.event_count = body.event_count.wrapping_add(1);
+        body.position = boundary.on_lattice(body.position);
+        if let Some(place) = self.bodies.get_mut(grain) {
+            self.supported -= usize::from(place.is_supported());
+            self.supported += usize::from(body.is_supported());
+            *place = body;
+        }
+    }
+
+    /// Writes a body that was put somewhere else: inside the box and in its new cell, too.
+    pub fn relocate(&mut self, boundary: &Boundary<'_, S, D>, grain: usize, mut body: Body<S, D>) {
+        body.position = boundary.wrap(body.position);
+        if let Some(cell) = self.cells.grid.as_ref().map(|grid| grid.locate(&body.position))
+            && cell != body.cell
+        {
+            self.cells.remove(grain, body.cell);
+            self.cells.insert(grain, cell);
+            body.cell = cell;
+        }
+        self.replace(boundary, grain, body);
+    }
+
+    /// Lets a grain cross into the next cell. Its trajectory stays the same; only its image may change.
+    pub fn cross(&mut self, boundary: &Boundary<'_, S, D>, grain: usize, face: CellFace) {
+        let Some(body) = self.bodies.get_mut(grain) else { return };
+        let from = body.cell;
+        let next = self.cells.grid.as_ref().and_then(|grid| grid.across(from, face));
+        let Some((cell, turns)) = next else { return };
+        body.cell = cell;
+        let length = boundary.periodic(face.axis).map_or(S::zero(), |p| p.length);
+        if let Some(x) = body.position.get_mut(face.axis).filter(|_| turns != S::zero()) {
+            *x += turns * length;
+        }
+        self.cells.remove(grain, from);
+        self.cells.insert(grain, cell);
+    }
+
+    /// Without cells: a grain that has flown far is brought back into the periodic box.
+    pub fn rewrap(&mut self, grain: usize, domain: &Domain<'_, S, D>, now: S) {
+        let present = self.present(grain, domain, now).position;
+        let shift = domain.boundary.wrap(present) - present;
+        if let Some(body) = self.bodies.get_mut(grain) {
+            body.position += shift;
+        }
+    }
+
+    /// Puts every grain into its cell, by its position at the start.
+    fn fill_cells(&mut self) {
+        for (i, body) in self.bodies.iter_mut().enumerate() {
+            if let Some(grid) = &self.cells.grid {
+                body.cell = grid.locate(&body.position);
+                self.cells.insert(i, body.cell);
+            }
+        }
+    }
+
+    /// Takes over a saved grid and puts every grain into the cell it says it is in.
+    ///
+    /// # Errors
+    /// [`Error::Full`] if there is no room for the cells, [`Error::Input`] that names a grain not in its cell.
+    pub fn restore_cells(
+        &mut self,
+        grid: Option<Grid<S, D>>,
+        domain: &Domain<'_, S, D>,
+        now: S,
+    ) -> Result<(), Error> {
+        let reach = self.largest_radius + self.largest_radius;
+        let fits = grid.as_ref().is_none_or(|grid| grid.fits(&domain.boundary, reach));
+        if !(fits && self.cells.reset(grid)) {
+            let knob = "the saved cells do not fit the box or the heads of the memory, which";
+            return Err(Error::Full { knob, capacity: self.cells.capacity() });
+        }
+        for i in 0..self.bodies.len() {
+            let body = self.present(i, domain, now);
+            if !grid.as_ref().is_none_or(|grid| grid.holds(body.cell, &body.position)) {
+                let wanted = "the number of the cell that it is in";
+                return Err(Error::input(Subject::Grain(i), "cell", f64::from(body.cell), wanted));
+            }
+            if grid.is_some() {
+                self.cells.insert(i, body.cell);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The largest radius of all; zero without bodies.
+pub(crate) fn largest_radius<S: Scalar, const D: usize>(bodies: &[Body<S, D>]) -> S {
+    bodies.iter().fold(S::zero(), |largest, body| largest.max(body.radius))
+}

@@ -1,0 +1,239 @@
+//! Is this a world that can run? Reads what the user says, checks each field; writes the memory.
+
+use super::check;
+use super::state::{Progress, World};
+use super::statistics::Statistics;
+use super::storage::{Buffers, Storage};
+use crate::detect::ScheduledEvent;
+use crate::error::{Error, Subject};
+use crate::law::Rule;
+use crate::particle::{Body, Grain};
+use crate::resolve::{Parameters, Release, min_hop_time};
+use crate::scalar::{Clock, Instant, Scalar, Vector};
+use crate::schedule::EventQueue;
+use crate::space::{
+    Boundary, Cells, Domain, Grid, MAX_PLANES, Particles, PeriodicAxis, Plane, Surface,
+    largest_radius,
+};
+
+/// A builder that has no rule yet, and so cannot start.
+#[derive(Clone, Copy, Debug)]
+pub struct NoRule;
+
+/// A world being described. See [`World::builder`].
+pub struct WorldBuilder<'m, S: Scalar, const D: usize, R> {
+    buffers: Buffers<'m, S, D>,
+    count: usize,
+    pub(super) boundary: Boundary<'m, S, D>,
+    pub(super) gravity: Vector<S, D>,
+    release: Release,
+    t_c: S,
+    rule: R,
+    /// The first thing that was wrong; told by [`WorldBuilder::start`].
+    error: Option<Error>,
+}
+
+impl<'m, S: Scalar, const D: usize> World<'m, S, D, NoRule> {
+    /// Begins to describe a world that will live in this memory.
+    pub fn builder(memory: &'m mut impl Storage<S, D>) -> WorldBuilder<'m, S, D, NoRule> {
+        let mut buffers = memory.buffers();
+        let boundary = Boundary::open(core::mem::take(&mut buffers.planes));
+        WorldBuilder {
+            buffers,
+            count: 0,
+            boundary,
+            gravity: Vector::zeros(),
+            release: Release::default(),
+            t_c: S::zero(),
+            rule: NoRule,
+            error: None,
+        }
+    }
+}
+
+impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
+    /// A box of soft plane walls: `[low, high]` along each axis. The rule says what they do.
+    #[must_use]
+    pub fn walls(self, sides: [[S; 2]; D]) -> Self {
+        self.boxed(sides, Surface::Rule)
+    }
+
+    /// A box of hard plane walls with this coefficient of restitution.
+    #[must_use]
+    pub fn hard_walls(self, sides: [[S; 2]; D], restitution: S) -> Self {
+        self.boxed(sides, Surface::Hard(restitution))
+    }
+
+    fn boxed(mut self, sides: [[S; 2]; D], surface: Surface<S>) -> Self {
+        for (axis, [low, high]) in sides.into_iter().enumerate() {
+            self = self.plane(Plane::across(axis, low, true, surface));
+            self = self.plane(Plane::across(axis, high, false, surface));
+        }
+        self
+    }
+
+    /// One plane wall. Grains stay where `normal · r ≥ offset`.
+    #[must_use]
+    pub fn plane(mut self, plane: Plane<S, D>) -> Self {
+        if !self.boundary.add_plane(plane) {
+            self.note(Err(self.too_many_planes()));
+        }
+        self
+    }
+
+    pub(super) fn too_many_planes(&self) -> Error {
+        let capacity = self.boundary.capacity();
+        let knob = if capacity < MAX_PLANES {
+            "the memory's places for planes (P of Memory, or the host's vectors)"
+        } else {
+            "the list of planes (carom::space::boundary::MAX_PLANES)"
+        };
+        Error::Full { knob, capacity }
+    }
+
+    /// A box that is periodic along every axis: `[low, high]` for each.
+    #[must_use]
+    pub fn periodic(mut self, sides: [[S; 2]; D]) -> Self {
+        for (axis, side) in sides.into_iter().enumerate() {
+            self = self.periodic_axis(axis, side);
+        }
+        self
+    }
+
+    /// One periodic axis, from low to high.
+    #[must_use]
+    pub fn periodic_axis(mut self, axis: usize, [low, high]: [S; 2]) -> Self {
+        let length = high - low;
+        let no =
+            |field, value, wanted| Err(Error::input(Subject::Axis(axis), field, value, wanted));
+        if axis >= D {
+            self.note(no("axis", axis as f64, "the number of an axis"));
+        }
+        if !(length > S::zero()) {
+            self.note(no("length", length.to_f64(), check::LENGTH));
+        }
+        self.boundary.set_periodic(axis, PeriodicAxis { low, length });
+        self
+    }
+
+    /// Uniform gravity. [`World::set_gravity`] changes it later.
+    #[must_use]
+    pub fn gravity(mut self, gravity: [S; D]) -> Self {
+        self.gravity = Vector::from(gravity);
+        self
+    }
+
+    /// How a contact ends when a third body interrupts it.
+    #[must_use]
+    pub fn release(mut self, release: Release) -> Self {
+        self.release = release;
+        self
+    }
+
+    /// The TC rule (Luding & McNamara, Granul. Matter 1, 113, 1998): an instantaneous collision less
+    /// than `t_c` after the last one of either grain is elastic. Zero, the default, is no such rule.
+    ///
+    /// A real contact lasts t_c; grains that meet more often than that are in lasting contact, and
+    /// lose no more energy by it. It also says when a hop is too short to be one: a grain that would
+    /// be back within t_c lies still. Soft laws have their own contact duration and do not need it.
+    ///
+    /// # Units
+    /// Time; at least zero.
+    #[must_use]
+    pub fn tc(mut self, t_c: S) -> Self {
+        if !(t_c >= S::zero() && t_c.is_finite()) {
+            let wanted = "a contact duration: finite and at least 0";
+            self.note(Err(Error::input(Subject::World, "t_c", t_c.to_f64(), wanted)));
+        }
+        self.t_c = t_c;
+        self
+    }
+
+    /// What grains do when they touch.
+    #[must_use]
+    pub fn rule<Q: Rule<S>>(self, rule: Q) -> WorldBuilder<'m, S, D, Q> {
+        let Self { buffers, count, boundary, gravity, release, t_c, error, .. } = self;
+        WorldBuilder { buffers, count, boundary, gravity, release, t_c, rule, error }
+    }
+
+    /// One more grain.
+    ///
+    /// # Errors
+    /// [`Error::Full`] if the memory holds no more, [`Error::Input`] that names the grain and its field.
+    pub fn grain(mut self, grain: Grain<S, D>) -> Result<Self, Error> {
+        check::grain(&grain, self.count)?;
+        let capacity = self.buffers.capacity();
+        let full =
+            Error::Full { knob: "the memory (N of Memory, or the host's vectors)", capacity };
+        if self.count >= capacity.min(EventQueue::<S>::MAX_GRAINS) {
+            return Err(full);
+        }
+        let place = self.buffers.bodies.get_mut(self.count).ok_or(full)?;
+        *place = Body::new(&grain);
+        self.count += 1;
+        Ok(self)
+    }
+
+    /// Many more grains.
+    ///
+    /// # Errors
+    /// As [`WorldBuilder::grain`].
+    pub fn grains(self, grains: impl IntoIterator<Item = Grain<S, D>>) -> Result<Self, Error> {
+        grains.into_iter().try_fold(self, Self::grain)
+    }
+
+    fn note(&mut self, checked: Result<(), Error>) {
+        if self.error.is_none() {
+            self.error = checked.err();
+        }
+    }
+}
+
+impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
+    /// Checks everything, predicts every grain's first event, and starts at [`Instant::START`].
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a field, [`Error::Overlap`] for two bodies that overlap.
+    pub fn start(self) -> Result<World<'m, S, D, R>, Error> {
+        let mut world = self.build()?;
+        check::overlaps(&world.particles, &world.domain, world.clock.now)?;
+        world.predict_all();
+        Ok(world)
+    }
+
+    /// The world, its fields checked, nothing predicted.
+    pub(super) fn build(self) -> Result<World<'m, S, D, R>, Error> {
+        self.error.map_or(Ok(()), Err)?;
+        self.rule.check()?;
+        let mut boundary = self.boundary;
+        boundary.set_epoch(Instant::START);
+        for axis in 0..D {
+            boundary.periodic(axis).into_iter().for_each(|p| boundary.set_periodic(axis, p));
+        }
+        let Buffers { bodies, events, tree, links, heads, .. } = self.buffers;
+        let bodies = bodies.get_mut(..self.count).unwrap_or_default();
+        let events = events.get_mut(..self.count).unwrap_or_default();
+        let tree = tree.get_mut(..self.count).unwrap_or_default();
+        let links = links.get_mut(..self.count).unwrap_or_default();
+        let largest_radius = largest_radius(bodies);
+        check::space(&boundary, &self.gravity, largest_radius)?;
+        for (i, body) in bodies.iter_mut().enumerate() {
+            body.position = boundary.on_lattice(boundary.wrap_from_far(body.position));
+            check::inside(&boundary, i, body)?;
+        }
+        events.fill(ScheduledEvent::NONE);
+        let reach = largest_radius + largest_radius;
+        let grid = Grid::choose(&boundary, bodies, reach, heads.len());
+        let min_hop_time = min_hop_time(&self.gravity, largest_radius);
+        Ok(World {
+            particles: Particles::new(bodies, Cells::new(grid, heads, links)),
+            domain: Domain::new(boundary, self.gravity),
+            clock: Clock { now: S::zero(), epoch: Instant::START },
+            parameters: Parameters { release: self.release, t_c: self.t_c, min_hop_time },
+            queue: EventQueue::new(events, tree),
+            rule: self.rule,
+            statistics: Statistics::default(),
+            progress: Progress::START,
+        })
+    }
+}

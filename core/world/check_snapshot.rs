@@ -1,0 +1,81 @@
+//! Is this the state of a world? Reads a snapshot, which anyone may have written; writes nothing, names the first bad field.
+
+use super::statistics::Statistics;
+use crate::detect::{EventKind, ScheduledEvent};
+use crate::error::{Error, Subject};
+use crate::particle::{Body, Partner};
+use crate::scalar::Scalar;
+
+/// Whether these can be the bodies and events of one world: anything may have been read from a file.
+pub(super) fn check<S: Scalar, const D: usize>(
+    bodies: &[Body<S, D>],
+    events: &[ScheduledEvent<S>],
+    now: S,
+    planes: usize,
+) -> Result<(), Error> {
+    let count = bodies.len();
+    if events.len() != count {
+        let wanted = "one for each grain";
+        return Err(Error::input(Subject::World, "number of events", events.len() as f64, wanted));
+    }
+    if !(now >= S::zero() && now < S::NEVER) {
+        return Err(Error::input(Subject::World, "now", now.to_f64(), "at least 0 and finite"));
+    }
+    for (i, (body, event)) in bodies.iter().zip(events).enumerate() {
+        check_body(i, body, now)?;
+        check_event(i, event, now)?;
+        for partner in [body.partner, event.partner] {
+            let grain = partner.as_grain().is_some_and(|k| k < count && k != i);
+            let plane = partner.as_plane().is_some_and(|p| p < planes);
+            if !(grain || plane || partner == Partner::NOTHING) {
+                let wanted = "another grain, a plane or nothing";
+                let word = f64::from(partner.word());
+                return Err(Error::input(Subject::Grain(i), "partner", word, wanted));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn check_body<S: Scalar, const D: usize>(i: usize, body: &Body<S, D>, now: S) -> Result<(), Error> {
+    let no = |field, value: S, wanted| {
+        Err(Error::input(Subject::Grain(i), field, value.to_f64(), wanted))
+    };
+    if !(body.clock >= S::zero() && body.clock <= now) {
+        return no("clock", body.clock, "at least 0 and at most the present");
+    }
+    if !(body.contact_end >= now && body.contact_end <= S::NEVER) {
+        return no("contact_end", body.contact_end, "not before the present");
+    }
+    if !body.reference_time.is_finite() {
+        return no("reference_time", body.reference_time, "a finite number");
+    }
+    match body.velocity_change.iter().find(|x| !x.is_finite()) {
+        Some(&x) => no("velocity_change", x, "a finite number"),
+        None => Ok(()),
+    }
+}
+
+fn check_event<S: Scalar>(i: usize, event: &ScheduledEvent<S>, now: S) -> Result<(), Error> {
+    let idle = event.kind == EventKind::Nothing;
+    let due = event.time >= now && event.time < S::NEVER && event.collision_time >= event.time;
+    if idle && event.time == S::NEVER || !idle && due {
+        return Ok(());
+    }
+    let wanted = "not before the present, and never for a grain without an event";
+    Err(Error::input(Subject::Grain(i), "time of its event", event.time.to_f64(), wanted))
+}
+
+/// Statistics near the end of their range would overflow.
+pub(super) fn check_statistics(statistics: &Statistics) -> Result<(), Error> {
+    if statistics.max() < 1 << 60 {
+        return Ok(());
+    }
+    let wanted = "below 2^60";
+    Err(Error::input(
+        Subject::World,
+        "a counter of the statistics",
+        statistics.max() as f64,
+        wanted,
+    ))
+}

@@ -1,0 +1,45 @@
+//! When are predictions made? Reads the world's state; writes its queue.
+
+use super::state::World;
+use crate::detect::{self, EventKind, ScheduledEvent};
+use crate::scalar::Scalar;
+
+impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
+    /// A grain's next event. Without cells it is brought back into the box first, so that the nearest
+    /// image is one box length away at most.
+    pub(super) fn predict(&mut self, grain: usize) -> ScheduledEvent<S> {
+        if self.particles.cells.grid.is_none() {
+            self.particles.rewrap(grain, &self.domain, self.clock.now);
+        }
+        detect::next_event(&self.particles, &self.domain, self.clock.now, grain)
+    }
+
+    /// The same for a grain that has just crossed into another cell.
+    pub(super) fn predict_after_crossing(
+        &mut self,
+        grain: usize,
+        crossing: ScheduledEvent<S>,
+    ) -> ScheduledEvent<S> {
+        if self.particles.cells.grid.is_none() {
+            return self.predict(grain);
+        }
+        let now = self.clock.now;
+        detect::next_event_after_crossing(&self.particles, &self.domain, now, (grain, crossing))
+    }
+
+    /// Predicts every grain's next event. Who was told to check what supports it still does so first.
+    pub(super) fn predict_all(&mut self) {
+        for i in 0..self.particles.bodies.len() {
+            let event = match self.queue.event(i).kind {
+                EventKind::SupportCheck => {
+                    ScheduledEvent::alone(self.clock.now, EventKind::SupportCheck)
+                }
+                _ => self.predict(i),
+            };
+            if let Some(place) = self.queue.events.get_mut(i) {
+                *place = event;
+            }
+        }
+        self.queue.rebuild();
+    }
+}

@@ -1,0 +1,113 @@
+//! How is a world saved and restored? Reads and writes the whole state.
+
+use super::check_snapshot;
+use super::state::{Progress, World};
+use super::statistics::Statistics;
+use super::storage::Storage;
+use crate::detect::ScheduledEvent;
+use crate::error::Error;
+use crate::law::Rule;
+use crate::particle::Body;
+use crate::resolve::Release;
+use crate::scalar::{Instant, Scalar, Vector};
+use crate::space::{Grid, SavedBoundary};
+
+/// The whole state of a world but its rule. With the feature `serde` it can be serialised.
+///
+/// `B` and `Q` hold bodies and scheduled events: slices for saving, anything that owns them for
+/// restoring (`heapless::Vec`, `Vec`). A restored world goes on with the same bits.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "S: serde::Serialize, B: serde::Serialize, Q: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>, B: serde::Deserialize<'de>, Q: serde::Deserialize<'de>"
+    ))
+)]
+pub struct Snapshot<S: Scalar, const D: usize, B, Q> {
+    boundary: SavedBoundary<S, D>,
+    grid: Option<Grid<S, D>>,
+    gravity: Vector<S, D>,
+    now: S,
+    epoch: Instant,
+    release: Release,
+    t_c: S,
+    statistics: Statistics,
+    lossy_hops: bool,
+    progress: Progress,
+    bodies: B,
+    events: Q,
+}
+
+impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
+    /// The whole state, borrowed.
+    #[must_use]
+    pub fn save(&self) -> Snapshot<S, D, &[Body<S, D>], &[ScheduledEvent<S>]> {
+        Snapshot {
+            boundary: self.domain.boundary.save(),
+            grid: self.particles.cells.grid,
+            gravity: *self.domain.gravity(),
+            now: self.clock.now,
+            epoch: self.clock.epoch,
+            release: self.parameters.release,
+            t_c: self.parameters.t_c,
+            statistics: self.statistics,
+            lossy_hops: self.particles.lossy_hops,
+            progress: self.progress,
+            bodies: &*self.particles.bodies,
+            events: &*self.queue.events,
+        }
+    }
+}
+
+impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
+    /// Restores a saved world with this rule in this memory.
+    ///
+    /// # Errors
+    /// [`Error::Full`] if the memory is too small, [`Error::Input`] if the state is not that of a world.
+    pub fn restore<B, Q>(
+        memory: &'m mut impl Storage<S, D>,
+        rule: R,
+        saved: &Snapshot<S, D, B, Q>,
+    ) -> Result<Self, Error>
+    where
+        B: AsRef<[Body<S, D>]>,
+        Q: AsRef<[ScheduledEvent<S>]>,
+    {
+        let (bodies, events) = (saved.bodies.as_ref(), saved.events.as_ref());
+        let planes = saved.boundary.planes.len();
+        check_snapshot::check(bodies, events, saved.now, planes)?;
+        check_snapshot::check_statistics(&saved.statistics)?;
+        let mut builder =
+            World::builder(memory).rule(rule).grains(bodies.iter().map(Body::as_grain))?;
+        if !builder.boundary.restore(&saved.boundary) {
+            return Err(builder.too_many_planes());
+        }
+        builder.gravity = saved.gravity;
+        let mut world = builder.release(saved.release).tc(saved.t_c).build()?;
+        world.take_over(saved)?;
+        Ok(world)
+    }
+}
+
+impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
+    /// Takes over what a builder does not ask for.
+    fn take_over<B, Q>(&mut self, saved: &Snapshot<S, D, B, Q>) -> Result<(), Error>
+    where
+        B: AsRef<[Body<S, D>]>,
+        Q: AsRef<[ScheduledEvent<S>]>,
+    {
+        let bodies = saved.bodies.as_ref();
+        self.particles.bodies.copy_from_slice(bodies);
+        self.particles.supported = bodies.iter().filter(|body| body.is_supported()).count();
+        self.particles.lossy_hops = saved.lossy_hops;
+        (self.clock.now, self.clock.epoch) = (saved.now, saved.epoch);
+        self.domain.boundary.set_epoch(saved.epoch);
+        self.particles.restore_cells(saved.grid, &self.domain, saved.now)?;
+        (self.statistics, self.progress) = (saved.statistics, saved.progress);
+        self.queue.events.copy_from_slice(saved.events.as_ref());
+        self.queue.rebuild();
+        Ok(())
+    }
+}

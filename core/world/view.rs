@@ -1,0 +1,134 @@
+//! What can be seen of a world? Reads its state; writes nothing.
+
+use super::statistics::Statistics;
+use crate::particle::{Body, Grain, Partner};
+use crate::scalar::{Clock, Instant, Scalar, Vector, WideProduct, dot};
+use crate::space::{Boundary, Domain, Particles, flight};
+
+/// A world to look at.
+#[derive(Clone, Copy)]
+pub struct View<'a, S: Scalar, const D: usize> {
+    pub(super) particles: &'a Particles<'a, S, D>,
+    pub(super) domain: &'a Domain<'a, S, D>,
+    pub(super) clock: &'a Clock<S>,
+    pub(super) statistics: &'a Statistics,
+}
+
+impl<S: Scalar, const D: usize> core::fmt::Debug for View<'_, S, D> {
+    /// The present, gravity and every grain as it is now.
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let grains = core::fmt::from_fn(|f| {
+            f.debug_list().entries((0..self.len()).filter_map(|i| self.grain(i))).finish()
+        });
+        f.debug_struct("View")
+            .field("now", &self.now())
+            .field("gravity", &self.gravity())
+            .field("grains", &grains)
+            .finish()
+    }
+}
+
+impl<S: Scalar, const D: usize> View<'_, S, D> {
+    /// How many grains there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.particles.bodies.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The present.
+    #[must_use]
+    pub fn now(&self) -> Instant {
+        self.clock.instant()
+    }
+
+    /// A grain as it is now. While it is in contact its velocity is that of the contact (MP13 §VI.B.2).
+    #[must_use]
+    pub fn grain(&self, index: usize) -> Option<Grain<S, D>> {
+        let body = self.particles.body(index)?;
+        let now = flight::at(body, self.domain, self.clock.now);
+        let Body { velocity, radius, mass, material, .. } = now;
+        Some(Grain {
+            position: self.domain.boundary.wrap(now.position),
+            velocity,
+            radius,
+            mass,
+            material,
+        })
+    }
+
+    /// With what a grain is in contact, and when that ends.
+    #[must_use]
+    pub fn contact(&self, index: usize) -> Option<(Partner, Instant)> {
+        let body = self.particles.body(index).filter(|b| b.in_contact())?;
+        Some((body.partner, self.clock.instant_of(body.contact_end)))
+    }
+
+    /// Whether a grain is at rest: frozen among what holds it, or on a plane, on which it may slide.
+    #[must_use]
+    pub fn is_at_rest(&self, index: usize) -> bool {
+        self.particles.body(index).is_some_and(Body::is_supported)
+    }
+
+    /// A grain as it will be if its contact ends undisturbed now: the velocity that E^v will give it.
+    ///
+    /// Energies taken from it do not miss what a contact under way holds back.
+    #[must_use]
+    pub fn released(&self, index: usize) -> Option<Grain<S, D>> {
+        let mut grain = self.grain(index)?;
+        let body = self.particles.body(index)?;
+        let plane = body.partner.as_plane().and_then(|p| self.domain.boundary.planes().get(p));
+        if let Some(plane) = plane {
+            let along = dot(&plane.normal, &grain.velocity);
+            grain.velocity -= plane.normal * along;
+        }
+        grain.velocity += body.velocity_change;
+        Some(grain)
+    }
+
+    /// The separation r_a − r_b of two grains, nearest image.
+    #[must_use]
+    pub fn separation(&self, a: usize, b: usize) -> Option<Vector<S, D>> {
+        let (a, b) = (self.grain(a)?, self.grain(b)?);
+        Some(self.domain.boundary.nearest(a.position - b.position))
+    }
+
+    /// Kinetic energy Σ m v²/2, contacts under way counted as if they ended now.
+    #[must_use]
+    pub fn kinetic_energy(&self) -> S {
+        (0..self.len()).filter_map(|i| self.released(i)).fold(S::zero(), |sum, g| {
+            sum + S::half() * g.mass * S::dot(&g.velocity, &g.velocity).rounded()
+        })
+    }
+
+    /// Momentum Σ m v.
+    #[must_use]
+    pub fn momentum(&self) -> Vector<S, D> {
+        (0..self.len())
+            .filter_map(|i| self.released(i))
+            .fold(Vector::zeros(), |sum, g| sum + g.velocity * g.mass)
+    }
+
+    /// The boundaries.
+    #[must_use]
+    pub fn boundary(&self) -> &Boundary<'_, S, D> {
+        &self.domain.boundary
+    }
+
+    /// The gravity that acts now.
+    #[must_use]
+    pub fn gravity(&self) -> Vector<S, D> {
+        *self.domain.gravity()
+    }
+
+    /// How often everything happened.
+    #[must_use]
+    pub fn statistics(&self) -> &Statistics {
+        self.statistics
+    }
+}
