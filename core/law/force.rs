@@ -3,7 +3,7 @@
 use super::{Encounter, Outcome};
 use crate::fault::{Fault, Subject};
 use crate::number::{Product, Scalar};
-use carom_tables::{Groups, Law, Scaled};
+use carom_tables::read::{Groups, Law, ScaledRestitution};
 
 /// The scales of one encounter (MP13, Sec. V).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Scales<S> {
 
 impl<S: Scalar> Scales<S> {
     /// A scaled outcome in the units of the encounter: τ = ε_t T (MP13 Eq. 20), the rest as it is.
-    pub fn outcome(&self, scaled: &Scaled<S>) -> Outcome<S> {
+    pub fn outcome(&self, scaled: &ScaledRestitution<S>) -> Outcome<S> {
         Outcome {
             duration: scaled.tau * self.time,
             restitution: scaled.speed,

@@ -1,11 +1,11 @@
 //! What does a soft contact do? The matrix of restitution of MP13 from a table; reads an encounter, writes its outcome.
 
 use super::force::{ForceLaw, Scales};
-use super::{Answer, Encounter, LinearDashpot, Response, Rule, Trust, Viscoelastic, tables};
+use super::{Answer, Encounter, LinearDashpot, Response, Rule, Trust, Viscoelastic};
 use crate::fault::Fault;
 use crate::law::tables::Embedded;
 use crate::number::Scalar;
-use carom_tables::{Groups, Table};
+use carom_tables::read::{Groups, StoredNumber, Table};
 
 /// What to do with an encounter outside the table's domain. It is counted in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +56,7 @@ impl<S, L, C> Rule<S> for Soft<L, C>
 where
     S: Scalar,
     L: ForceLaw<S>,
-    C: tables::Number,
+    C: StoredNumber,
 {
     fn meet(&self, encounter: &Encounter<S>) -> Answer<S> {
         let scales = self.law.scales(encounter);
@@ -79,7 +79,7 @@ where
     }
 }
 
-impl<L, C: tables::Number> Soft<L, C> {
+impl<L, C: StoredNumber> Soft<L, C> {
     fn clamped<S: Scalar>(&self, groups: &Groups<S>, scales: &Scales<S>) -> Answer<S> {
         match self.table.read_nearest(groups) {
             Some(found) => Answer {

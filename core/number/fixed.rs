@@ -6,7 +6,7 @@
 
 use super::lanes::Each;
 use super::{I16F16, I32F32, Instant, Product, Scalar, Vector};
-use carom_tables::number::{Product as Exact, integer};
+use carom_tables::fixed_point::{Product as Exact, integer};
 
 macro_rules! scalar {
     ($t:ident, $word:ident, $wide:ident) => {

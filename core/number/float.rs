@@ -42,7 +42,7 @@ macro_rules! float {
             }
             #[inline]
             fn root(self) -> $t {
-                carom_tables::Real::sqrt(self)
+                carom_tables::read::Real::sqrt(self)
             }
             #[inline]
             fn over(self, divisor: $t) -> $t {

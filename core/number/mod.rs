@@ -16,9 +16,9 @@ mod lanes;
 #[cfg(feature = "micromath")]
 pub mod quick;
 
-pub use carom_tables::Real;
 #[cfg(feature = "fixed")]
-pub use carom_tables::number::{I16F16, I32F32};
+pub use carom_tables::fixed_point::{I16F16, I32F32};
+pub use carom_tables::read::Real;
 pub use instant::Instant;
 pub use lanes::{LANES, Lanes};
 

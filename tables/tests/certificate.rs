@@ -1,13 +1,16 @@
 //! Do tables keep what their certificates promise? Reads tables at fresh points; writes nothing.
 
-use carom_tables::recipe::{Made, Number, range, spread::Spread};
-use carom_tables::{End, Groups, Law, Recipe, Scaled, contact::integrate};
+use carom_tables::collision::draw_from_mp13;
+use carom_tables::contact::integrate;
+use carom_tables::random::Rng;
+use carom_tables::read::{End, Groups, Law, ScaledRestitution};
+use carom_tables::recipe::{GeneratedTable, NumberType, Recipe};
 use proptest::prelude::*;
 use std::sync::LazyLock;
 
 const LAWS: [Law; 2] = [Law::LinearDashpot, Law::Viscoelastic];
 
-static COMPACT: LazyLock<[Made<f32>; 2]> =
+static COMPACT: LazyLock<[GeneratedTable<f32>; 2]> =
     LazyLock::new(|| LAWS.map(|law| Recipe::compact(law).generate().unwrap()));
 
 fn single(g: &Groups<f64>) -> Groups<f32> {
@@ -19,10 +22,10 @@ fn double(g: &Groups<f32>) -> Groups<f64> {
 }
 
 /// Is the reading at `g` as good as promised? `None` outside the domain.
-fn holds(made: &Made<f32>, g: &Groups<f64>, end: End) -> Option<()> {
+fn holds(made: &GeneratedTable<f32>, g: &Groups<f64>, end: End) -> Option<()> {
     let g32 = single(g);
     let g = double(&g32);
-    let got = made.body().read(&g32)?;
+    let got = made.data().read(&g32)?;
     let truth = integrate(made.certificate.law, end, &g);
     let p = &made.certificate.largest;
     let pairs = [
@@ -39,12 +42,12 @@ fn holds(made: &Made<f32>, g: &Groups<f64>, end: End) -> Option<()> {
 
 #[test]
 fn compact_certificates_hold_at_fresh_points() {
-    let mut spread = Spread::new(0xabcd);
+    let mut rng = Rng::new(0xabcd);
     for made in COMPACT.iter() {
         for _ in 0..2_000 {
-            let sin = spread.uniform();
+            let sin = rng.uniform();
             let cos = ((1.0 - sin) * (1.0 + sin)).sqrt();
-            let g = Groups { sin, cos, eta: 0.2 * cos * spread.uniform(), c_dis: spread.uniform() };
+            let g = Groups { sin, cos, eta: 0.2 * cos * rng.uniform(), c_dis: rng.uniform() };
             holds(made, &g, End::Force);
         }
     }
@@ -67,16 +70,16 @@ fn wide_certificates_hold_over_the_tables_of_mp13() {
         let made = Recipe::wide(law).generate::<f32>().unwrap();
         let c = &made.certificate;
         assert!(c.bytes <= 96 * 1024, "{} bytes", c.bytes);
-        assert!(worst(&c.typical) < 1e-2 && worst(&c.usual) < 1e-3, "{c:?}");
-        let mut spread = Spread::new(0x1234);
+        assert!(worst(&c.typical) < 1e-2 && worst(&c.quantile_999) < 1e-3, "{c:?}");
+        let mut rng = Rng::new(0x1234);
         for _ in 0..20_000 {
-            let g = range::draw(law, &mut spread);
+            let g = draw_from_mp13(law, &mut rng);
             assert!(holds(&made, &g, End::Force).is_some(), "{g:?} is outside");
         }
     }
 }
 
-fn worst(s: &Scaled<f64>) -> f64 {
+fn worst(s: &ScaledRestitution<f64>) -> f64 {
     s.tau.max(s.speed).max(s.angle).max(s.separation)
 }
 
@@ -86,12 +89,12 @@ fn the_built_in_limits_are_exact() {
         for sin in [0.0_f64, 0.2, 0.9, 0.9999] {
             let cos = (1.0 - sin * sin).sqrt();
             let elastic = Groups { sin, cos, eta: 0.19 * cos, c_dis: 0.0 };
-            let s = made.body().read(&elastic).unwrap();
+            let s = made.data().read(&elastic).unwrap();
             assert_eq!((s.speed, s.separation), (1.0, 1.0));
-            let s = made.body().read(&single(&elastic)).unwrap();
+            let s = made.data().read(&single(&elastic)).unwrap();
             assert_eq!((s.speed, s.separation), (1.0, 1.0));
             let stiff = Groups { eta: 0.0, c_dis: 0.7, ..elastic };
-            let s = made.body().read(&stiff).unwrap();
+            let s = made.data().read(&stiff).unwrap();
             assert_eq!((s.angle, s.separation), (0.0, 1.0));
         }
     }
@@ -111,13 +114,13 @@ const COMPACT_VISCOELASTIC: u64 = 0x2b4e_c100_1173_4c0a;
 /// The kept bisections are what a search finds.
 #[test]
 #[ignore = "searches: cargo test --release -p carom-tables -- --ignored"]
-fn plans_are_what_a_search_finds() {
+fn kept_bisections_are_what_a_search_finds() {
     for law in LAWS {
         for recipe in [Recipe::standard(law), Recipe::wide(law)] {
             let recipe = recipe.points(100);
             let kept = recipe.generate::<f32>().unwrap();
             let found = recipe.search().generate::<f32>().unwrap();
-            assert_eq!(kept.plan(), found.plan());
+            assert_eq!(kept.bisection(), found.bisection());
             assert_eq!(kept.certificate.digest, found.certificate.digest);
         }
     }
@@ -160,8 +163,8 @@ fn bad_recipes_name_the_field() {
         assert!(error.contains(field), "{error}");
     }
     assert!(recipe().emit("no name").unwrap_err().to_string().contains("no name"));
-    let text = recipe().number(Number::F64).points(200).emit("MINE").unwrap();
-    assert!(text.contains("pub static MINE: ::carom_tables::form::Table<f64>"));
+    let text = recipe().number_type(NumberType::F64).points(200).emit("MINE").unwrap();
+    assert!(text.contains("pub static MINE: ::carom_tables::read::Table<f64>"));
 }
 
 #[test]
@@ -179,10 +182,10 @@ proptest! {
     ) {
         for made in COMPACT.iter() {
             let g = Groups { sin, cos, eta, c_dis };
-            let body = made.body();
-            prop_assert_eq!(body.read(&g).is_some(), body.domain.contains(&g));
-            let near = body.domain.clamp(&g);
-            let s = body.read(&near);
+            let data = made.data();
+            prop_assert_eq!(data.read(&g).is_some(), data.domain.contains(&g));
+            let near = data.domain.clamp(&g);
+            let s = data.read(&near);
             prop_assert!(s.is_some(), "{near:?}");
             let s = s.unwrap();
             prop_assert!(s.tau > 0.0 && s.tau.is_finite());

@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use carom::Fault;
-use carom::law::tables::{Embedded, Table};
+use carom::law::tables::{Embedded, read::Table};
 use carom::number::I32F32;
 use carom_scenes::Number;
 use carom_scenes::tilt::{self, Board};

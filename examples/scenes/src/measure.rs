@@ -1,6 +1,6 @@
 //! How many instructions does the tilt box take? Reads a board's counter; writes what each method took.
 
-use carom::law::tables::{Groups, Table};
+use carom::law::tables::read::{Groups, Table};
 use carom::{Fault, Grain, Lend};
 
 use crate::scene::{Number, n};

@@ -1,6 +1,6 @@
 //! Which scenes are replayed? Reads nothing; writes a world into lent memory.
 
-use carom::law::tables::{self, Embedded, Table};
+use carom::law::tables::{self, Embedded, read::Table};
 use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic};
 use carom::matter::{Plane, Surface, Vibration};
 use carom::number::I32F32;

@@ -1,16 +1,14 @@
-//! What is a product of fixed-point numbers before it is rounded? Twice as many bits; reads and writes bits.
+//! What is a product of fixed-point numbers before it is rounded? Reads and writes integers of twice as many bits.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
-
-use super::{I16F16, I32F32, integer};
 
 /// An exact product of two fixed-point numbers, or a sum of such: twice as many bits, and not-a-number.
 #[derive(Clone, Copy, Default)]
 pub struct Product<W>(pub(super) W);
 
 macro_rules! product {
-    ($name:ident, $word:ident, $wide:ident, $fraction:literal) => {
+    ($wide:ident) => {
         impl Product<$wide> {
             /// Not a number.
             pub const NAN: Self = Self($wide::MIN);
@@ -25,39 +23,6 @@ macro_rules! product {
             #[must_use]
             pub fn bits(self) -> Option<i128> {
                 self.is_number().then(|| self.0.into())
-            }
-
-            /// The nearest single number.
-            #[inline]
-            #[must_use]
-            pub fn rounded(self) -> $name {
-                if !self.is_number() {
-                    return $name::NAN;
-                }
-                // Halves away from zero: negation and rounding can be swapped.
-                let half = (1 << ($fraction - 1)) + (self.0 >> ($wide::BITS - 1));
-                $name::or_nan(
-                    self.0.checked_add(half).and_then(|p| $word::try_from(p >> $fraction).ok()),
-                )
-            }
-
-            /// The nearest number to the square root.
-            #[must_use]
-            pub fn root(self) -> $name {
-                let Ok(bits) = u128::try_from(self.0) else { return $name::NAN };
-                $name::from_wide(i64::try_from(integer::root(bits)).ok())
-            }
-
-            /// Divided by a number, rounded once; what is not zero does not become zero: who approaches,
-            /// however slowly, approaches at some speed.
-            #[must_use]
-            pub fn over(self, divisor: $name) -> $name {
-                if !(self.is_number() && divisor.is_number()) {
-                    return $name::NAN;
-                }
-                let (n, d) = (i128::from(self.0).unsigned_abs(), divisor.0.unsigned_abs());
-                let q = integer::quotient(n, d.into(), 0).map(|q| q.max(i64::from(n != 0)));
-                $name::from_wide(if (self.0 < 0) == (divisor.0 < 0) { q } else { q.map(|q| -q) })
             }
         }
 
@@ -105,5 +70,5 @@ macro_rules! product {
     };
 }
 
-product!(I32F32, i64, i128, 32);
-product!(I16F16, i32, i64, 16);
+product!(i128);
+product!(i64);
