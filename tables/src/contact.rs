@@ -243,8 +243,10 @@ fn outcome<const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::contact::{integrate_radial, integrate_radial_quickly, run};
     use crate::random::Rng;
+    use crate::read::law::{End, Law};
+    use crate::taylor::PRECISE_TERMS;
 
     /// Other steps, another order, the same contact: 1e-12 all over MP13's tables and beyond.
     #[test]

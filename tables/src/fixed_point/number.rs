@@ -28,28 +28,28 @@ macro_rules! fixed {
         impl $name {
             /// Bits after the point.
             pub const FRACTION: u32 = $fraction;
-            /// What overflow gives.
+            /// Not-a-number: the result of overflow, of division by zero and of the root of a negative number.
             pub const NAN: Self = Self($word::MIN);
             /// The largest number.
             pub const MAX: Self = Self($word::MAX);
             /// The distance between neighbouring numbers, 2^−FRACTION, as in the package `fixed`.
             pub const DELTA: Self = Self(1);
             /// One.
-            pub const ONE: Self = Self(1 << $fraction);
+            pub(super) const ONE: Self = Self(1 << $fraction);
 
-            /// The number of so many steps of 2^−FRACTION.
+            /// The number with this many steps of 2^−FRACTION.
             #[must_use]
             pub const fn from_bits(bits: $word) -> Self {
                 Self(bits)
             }
 
-            /// How many steps of 2^−FRACTION it is.
+            /// The number of steps of 2^−FRACTION.
             #[must_use]
             pub const fn to_bits(self) -> $word {
                 self.0
             }
 
-            /// Whether it is a number.
+            /// Whether it is a number, that is, not [`NAN`](Self::NAN).
             #[must_use]
             pub const fn is_number(self) -> bool {
                 self.0 != $word::MIN
@@ -62,13 +62,13 @@ macro_rules! fixed {
                 }
             }
 
-            /// The number of so many steps; not-a-number if there are too many.
+            /// The number with this many steps; not-a-number for `None` or if there are too many.
             #[must_use]
             pub fn from_wide(bits: Option<i64>) -> Self {
                 Self::or_nan(bits.and_then(|bits| $word::try_from(bits).ok()))
             }
 
-            /// The exact product.
+            /// The exact product, before it is rounded.
             #[inline]
             #[must_use]
             pub fn times(self, other: Self) -> Product<$wide> {
@@ -116,7 +116,7 @@ macro_rules! fixed {
                 if self.is_number() { Self(self.0 >> $fraction << $fraction) } else { self }
             }
 
-            /// A whole number.
+            /// The whole number `whole`; not-a-number if it is too large.
             #[must_use]
             pub fn from_whole(whole: u32) -> Self {
                 Self::from_wide(Some(i64::from(whole) << $fraction))
@@ -130,7 +130,7 @@ macro_rules! fixed {
         }
 
         impl Product<$wide> {
-            /// The nearest single number.
+            /// The nearest number; not-a-number if it is too large.
             #[inline]
             #[must_use]
             pub fn rounded(self) -> $name {
@@ -144,15 +144,15 @@ macro_rules! fixed {
                 )
             }
 
-            /// The nearest number to the square root.
+            /// The number nearest to the square root; not-a-number below zero.
             #[must_use]
             pub fn root(self) -> $name {
                 let Ok(bits) = u128::try_from(self.0) else { return $name::NAN };
                 $name::from_wide(i64::try_from(integer::rounded_sqrt(bits)).ok())
             }
 
-            /// Divided by a number, rounded once; what is not zero does not become zero: who approaches,
-            /// however slowly, approaches at some speed.
+            /// Divided by a number, rounded once. What is not zero does not become zero: spheres that
+            /// approach, however slowly, approach at some speed.
             #[must_use]
             pub fn over(self, divisor: $name) -> $name {
                 if !(self.is_number() && divisor.is_number()) {

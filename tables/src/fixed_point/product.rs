@@ -3,7 +3,10 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
 
-/// An exact product of two fixed-point numbers, or a sum of such: twice as many bits, and not-a-number.
+/// An exact product of two fixed-point numbers, or a sum of such products.
+///
+/// `W` is the integer with twice as many bits: `i128` for `I32F32`, `i64` for `I16F16`. Its least
+/// value is not-a-number.
 #[derive(Clone, Copy, Default)]
 pub struct Product<W>(pub(super) W);
 
@@ -11,15 +14,14 @@ macro_rules! product {
     ($wide:ident) => {
         impl Product<$wide> {
             /// Not a number.
-            pub const NAN: Self = Self($wide::MIN);
+            pub(super) const NAN: Self = Self($wide::MIN);
 
             /// Whether it is a number.
-            #[must_use]
-            pub const fn is_number(self) -> bool {
+            pub(super) const fn is_number(self) -> bool {
                 self.0 != $wide::MIN
             }
 
-            /// How many steps of 2^−2 FRACTION it is; none for not-a-number.
+            /// The number of steps of 2^(−2 FRACTION); `None` for not-a-number.
             #[must_use]
             pub fn bits(self) -> Option<i128> {
                 self.is_number().then(|| self.0.into())

@@ -125,7 +125,7 @@ impl Real for f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::Real;
+    use crate::read::real::Real;
 
     #[test]
     fn cube_roots_are_within_one_unit_in_the_last_place() {
