@@ -118,7 +118,7 @@ fn reflect<const N: usize>(law: Law, path: &mut Trajectory<N>, c: &Parameters) {
     path.p[0] = compression(law, path) + c.c_dis * path.v[0];
 }
 
-/// About how deep a contact goes: spring, damping and centrifugal push in turn set the limit.
+/// About how deep a contact goes: spring, damping and centrifugal force in turn set the limit.
 fn compression_scale(law: Law, c: &Parameters) -> f64 {
     match law {
         Law::LinearDashpot => 1.0 / (1.0 + c.c_dis + c.kappa),

@@ -194,15 +194,15 @@ fn numbers_are_shown_as_decimals() {
 
 /// Is what the table says in `S`, at the groups as `S` has them, as good as promised?
 fn holds<S: Real>(law: Law, number_type: NumberType, points: u32) {
-    let made = Recipe::compact(law).number_type(number_type).generate::<Quantised>().unwrap();
-    let promised = &made.certificate.largest;
+    let table = Recipe::compact(law).number_type(number_type).generate::<Quantised>().unwrap();
+    let promised = &table.certificate.largest;
     let (mut rng, mut inside) = (Rng::new(0x51d), 0);
     for _ in 0..points {
         let sin = rng.uniform();
         let cos = ((1.0 - sin) * (1.0 + sin)).sqrt();
         let g = [sin, cos, 0.2 * cos * rng.uniform(), rng.uniform()].map(S::from_f64);
         let [sin, cos, eta, c_dis] = g;
-        let Some(got) = made.data().read(&Groups { sin, cos, eta, c_dis }) else { continue };
+        let Some(got) = table.data().read(&Groups { sin, cos, eta, c_dis }) else { continue };
         inside += 1;
         let [sin, cos, eta, c_dis] = g.map(S::to_f64);
         let truth = integrate(law, End::Force, &Groups { sin, cos, eta, c_dis });

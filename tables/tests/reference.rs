@@ -64,11 +64,11 @@ fn integrate_gives_every_reference_collision() {
 fn tables_give_every_reference_collision_within_their_certificate() {
     for law in [Law::LinearDashpot, Law::Viscoelastic] {
         for recipe in [Recipe::compact(law), Recipe::standard(law)] {
-            let made = recipe.points(2_000).generate::<f32>().unwrap();
-            let c = &made.certificate;
+            let table = recipe.points(2_000).generate::<f32>().unwrap();
+            let c = &table.certificate;
             let mut inside = 0;
             for row in rows().iter().filter(|row| row.law == law) {
-                let Some(s) = made.data().read(&row.groups) else { continue };
+                let Some(s) = table.data().read(&row.groups) else { continue };
                 inside += 1;
                 let promised =
                     [c.largest.tau, c.largest.speed, c.largest.angle, c.largest.separation];

@@ -20,7 +20,7 @@ pub(super) struct Check {
 const CHECKS: usize = 80;
 
 impl Check {
-    /// Corners, faces and the inside of a box, as far as they lie in the domain; it may hold only a sliver of it.
+    /// Corners, faces and the inside of a box, as far as they lie in the domain. Few do if the box only touches it.
     pub fn of(options: &FitOptions, cube: &Cube) -> Vec<Check> {
         let mut checks = Vec::new();
         let mut rng = Rng::new(17);
@@ -64,7 +64,7 @@ pub(super) fn errors(
     columns: &[Column; 3],
     checks: &[Check],
 ) -> [f64; 3] {
-    let mut worst = [1e-300; 3];
+    let mut largest = [1e-300; 3];
     for check in checks {
         let values = columns.each_ref().map(|c| c.value(&check.basis));
         let got = options.coordinates.outcome(
@@ -74,16 +74,19 @@ pub(super) fn errors(
             values,
         );
         let [tau, speed, angle] = check.outcome;
-        // The separation is 1 - c_dis eta speed.
-        let pull = (check.groups[1] * check.groups[2]).max(1.0);
-        let error =
-            [(got[0] / tau - 1.0).abs(), pull * (got[1] - speed).abs(), (got[2] - angle).abs()];
-        for (w, e) in worst.iter_mut().zip(error) {
+        // The separation is 1 - c_dis eta speed, so an error of the speed becomes one of the separation.
+        let separation_factor = (check.groups[1] * check.groups[2]).max(1.0);
+        let error = [
+            (got[0] / tau - 1.0).abs(),
+            separation_factor * (got[1] - speed).abs(),
+            (got[2] - angle).abs(),
+        ];
+        for (w, e) in largest.iter_mut().zip(error) {
             *w = if e > *w { e } else { *w };
             if e.is_nan() {
                 *w = f64::INFINITY;
             }
         }
     }
-    worst
+    largest
 }

@@ -4,7 +4,7 @@ use super::layout::{Leaf, MAX_TERMS, Row, TableData};
 use super::real::Real;
 use super::stored::StoredNumber;
 
-/// The three columns at a point of the unit cube; `None` only for a table that was tampered with.
+/// The three columns at a point of the unit cube; `None` if the parts of the table do not fit together, which a generated one's do.
 pub(super) fn evaluate<S: Real, C: StoredNumber>(
     data: &TableData<'_, C>,
     point: [S; 3],

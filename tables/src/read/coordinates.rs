@@ -69,32 +69,32 @@ impl<C: StoredNumber> CoordinateMap<C> {
         if self.is_wide() {
             return wide_duration(self.law, kappa, c_dis);
         }
-        let push = one + kappa;
+        let centrifugal = one + kappa;
         one / match self.law {
-            Law::LinearDashpot => push + constant::<S>(0.5) * c_dis,
-            Law::Viscoelastic => push + constant::<S>(0.2357) * c_dis / push.sqrt(),
+            Law::LinearDashpot => centrifugal + constant::<S>(0.5) * c_dis,
+            Law::Viscoelastic => centrifugal + constant::<S>(0.2357) * c_dis / centrifugal.sqrt(),
         }
     }
 
     /// What the second column is multiplied with to give `1/speed - 1`.
     fn slowing<S: Real>(&self, [kappa, _, c_dis]: [S; 3]) -> S {
-        let push = constant::<S>(1.0) + kappa;
+        let centrifugal = constant::<S>(1.0) + kappa;
         if self.end == End::Overlap {
             // Grazing grains lose nothing: the contact is over before damping has worked.
             return match self.law {
-                Law::LinearDashpot => c_dis / push,
-                Law::Viscoelastic => c_dis / (push * push.sqrt()),
+                Law::LinearDashpot => c_dis / centrifugal,
+                Law::Viscoelastic => c_dis / (centrifugal * centrifugal.sqrt()),
             };
         }
         let drag = match self.law {
             Law::LinearDashpot => constant::<S>(0.6667) * c_dis,
             Law::Viscoelastic if self.is_wide() => {
                 let root = c_dis.cbrt();
-                constant::<S>(0.2777) * c_dis / (push + root * root).sqrt()
+                constant::<S>(0.2777) * c_dis / (centrifugal + root * root).sqrt()
             }
-            Law::Viscoelastic => constant::<S>(0.2777) * c_dis / push.sqrt(),
+            Law::Viscoelastic => constant::<S>(0.2777) * c_dis / centrifugal.sqrt(),
         };
-        c_dis * (push + drag)
+        c_dis * (centrifugal + drag)
     }
 
     /// Duration, speed and angle from the three columns; `turn = tan(alpha) eta`.
@@ -133,7 +133,7 @@ fn deepest<S: Real>(c_dis: S) -> S {
     (one + part) / (one + part + c_dis * (constant::<S>(core::f32::consts::FRAC_PI_4) + part))
 }
 
-/// The duration of a contact that damping or centrifugal push ends: `ln(1 + y)/rate`, with
+/// The duration of a contact that damping or centrifugal force ends: `ln(1 + y)/rate`, with
 /// the limits `1/(1 + kappa)` (elastic), `1/kappa` (grazing), `ln(rate/(kappa + rate^-m))/rate` (overdamped).
 fn wide_duration<S: Real>(law: Law, kappa: S, c_dis: S) -> S {
     let one: S = constant(1.0);
@@ -143,8 +143,8 @@ fn wide_duration<S: Real>(law: Law, kappa: S, c_dis: S) -> S {
         Law::Viscoelastic => {
             let root = c_dis.cbrt();
             let root4 = root * root * root * root;
-            let push = one + kappa;
-            let boost = (push + constant::<S>(2.098) * r) / (push + r);
+            let centrifugal = one + kappa;
+            let boost = (centrifugal + constant::<S>(2.098) * r) / (centrifugal + r);
             (boost, one / (one + root4 * root4 * constant(0.763)))
         }
     };

@@ -58,9 +58,9 @@ impl<C: StoredNumber> Domain<C> {
             eta = between(eta, zero, self.softness_max.get::<S>() * cos);
         }
         let mut c_dis = between(g.c_dis, zero, self.c_dis_max.get());
-        let stick = self.c_dis_softness_max.get::<S>() * cos;
-        if c_dis * eta > stick {
-            c_dis = stick / eta * S::from_f32(0.999_999);
+        let limit = self.c_dis_softness_max.get::<S>() * cos;
+        if c_dis * eta > limit {
+            c_dis = limit / eta * S::from_f32(0.999_999);
         }
         Groups { sin, cos, eta, c_dis }
     }

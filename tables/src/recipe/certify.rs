@@ -28,12 +28,12 @@ pub(super) fn certify<C: EncodeNumber>(
 ) -> Certificate {
     let data = table.data();
     let mut rng = Rng::new(29);
-    let (mut worst, mut common) = (ZERO, ZERO);
+    let (mut largest, mut largest_typical) = (ZERO, ZERO);
     let margin = table.certificate.margin;
     let mut typical = [const { Vec::new() }; 4];
     let mut measured = 0;
     for n in 0..points {
-        let usual = n % 2 == 0;
+        let is_typical = n % 2 == 0;
         let g = match n % 4 {
             1 => uniform_collision(&options.domain, &mut rng),
             3 => leaf_point(options, table, n / 4, &mut rng),
@@ -41,9 +41,9 @@ pub(super) fn certify<C: EncodeNumber>(
         };
         let Some(error) = error_at(options, reader, &data, &g) else { continue };
         measured += 1;
-        worst = max_of_each(worst, error);
-        if usual {
-            common = max_of_each(common, error);
+        largest = max_of_each(largest, error);
+        if is_typical {
+            largest_typical = max_of_each(largest_typical, error);
             for (list, e) in typical.iter_mut().zip(to_array(error)) {
                 list.push(e);
             }
@@ -51,8 +51,8 @@ pub(super) fn certify<C: EncodeNumber>(
     }
     Certificate {
         bytes: data.bytes(),
-        largest: from_array(to_array(worst).map(|e| round_up(e * margin))),
-        typical: from_array(to_array(common).map(|e| round_up(e * margin))),
+        largest: from_array(to_array(largest).map(|e| round_up(e * margin))),
+        typical: from_array(to_array(largest_typical).map(|e| round_up(e * margin))),
         quantile_999: from_array(typical.map(|list| round_up(quantile_999(list)))),
         points: measured,
         digest: digest(&data),

@@ -19,7 +19,7 @@ impl Recipe {
         }
     }
 
-    /// The usual table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 1e-6.
+    /// The default table: `l~ cos(alpha) >= 5`, `c_dis <= 1`, any eccentricity, to about 1e-6.
     #[must_use]
     pub fn standard(law: Law) -> Self {
         Recipe {
