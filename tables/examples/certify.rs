@@ -47,7 +47,7 @@ fn bisections() -> Result<(), Box<dyn std::error::Error>> {
     );
     println!("//!");
     println!(
-        "//! GeneratedTable by `cargo run --release -p carom-tables --example certify bisections > tables/src/recipe/bisections.rs`."
+        "//! Made by `cargo run --release -p carom-tables --example certify bisections > tables/src/recipe/bisections.rs`."
     );
     println!(
         "//! An unoptimised build script has no time for the search; the table that a kept bisection gives is certified all the same."
