@@ -3,17 +3,18 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-use carom_tables::{Law, Recipe, recipe::Number};
+use carom_tables::read::Law;
+use carom_tables::recipe::{NumberType, Recipe};
 
 /// The numbers in which tables are stored, and what that adds to a table's name.
-fn numbers() -> Vec<(Number, &'static str)> {
-    let float = if enabled("F64_TABLES") { Number::F64 } else { Number::F32 };
+fn numbers() -> Vec<(NumberType, &'static str)> {
+    let float = if enabled("F64_TABLES") { NumberType::F64 } else { NumberType::F32 };
     vec![
         (float, ""),
         #[cfg(feature = "fixed")]
-        (Number::I32F32, "_I32F32"),
+        (NumberType::I32F32, "_I32F32"),
         #[cfg(feature = "fixed")]
-        (Number::I16F16, "_I16F16"),
+        (NumberType::I16F16, "_I16F16"),
     ]
 }
 
@@ -30,7 +31,7 @@ fn module(module: &str, recipe: fn(Law) -> Recipe) -> Result<String, Box<dyn Err
         {
             // A wide table has numbers too large to be quantised.
             if ending.is_empty() || module != "wide" {
-                text += &recipe(law).number(number).emit(&format!("{name}{ending}"))?;
+                text += &recipe(law).number_type(number).emit(&format!("{name}{ending}"))?;
             }
         }
     }

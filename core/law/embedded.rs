@@ -1,10 +1,8 @@
 //! Which tables are embedded? Those that build.rs made for the enabled features; reads nothing at run time.
 
 use crate::scalar::Scalar;
-pub use carom_tables::form;
-pub use carom_tables::form::Stored as Number;
-pub use carom_tables::form::{Certificate, Domain, Groups, Scaled, Table};
-pub use carom_tables::{End, Law};
+pub use carom_tables::read;
+use carom_tables::read::{StoredNumber, Table};
 
 /// The number in which the embedded tables are stored: `f32`, or `f64` with the feature `f64-tables`.
 #[cfg(not(feature = "f64-tables"))]
@@ -45,7 +43,7 @@ pub fn viscoelastic() -> &'static Table<Stored> {
 /// A number type for which tables are embedded, made for reading in that type.
 pub trait Embedded: Scalar {
     /// The number in which they are stored.
-    type Stored: Number;
+    type Stored: StoredNumber;
     /// The linear spring-dashpot's.
     fn linear_dashpot() -> &'static Table<Self::Stored>;
     /// The viscoelastic law's.
@@ -73,10 +71,10 @@ embedded!(f64, Stored, linear_dashpot(), viscoelastic());
 mod quantised {
     use super::{Embedded, Table, chosen};
     use crate::scalar::{I16F16, I32F32};
-    use carom_tables::form::Quanta;
+    use carom_tables::read::Quantised;
 
-    embedded!(I32F32, Quanta, &chosen::LINEAR_DASHPOT_I32F32, &chosen::VISCOELASTIC_I32F32);
-    embedded!(I16F16, Quanta, &chosen::LINEAR_DASHPOT_I16F16, &chosen::VISCOELASTIC_I16F16);
+    embedded!(I32F32, Quantised, &chosen::LINEAR_DASHPOT_I32F32, &chosen::VISCOELASTIC_I32F32);
+    embedded!(I16F16, Quantised, &chosen::LINEAR_DASHPOT_I16F16, &chosen::VISCOELASTIC_I16F16);
 }
 
 // The wide tables have numbers too large to be quantised. Fixed point reads their floats as bits.

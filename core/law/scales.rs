@@ -3,7 +3,7 @@
 use super::rule::{Impact, Outcome};
 use crate::error::{Error, Subject};
 use crate::scalar::{Scalar, WideProduct};
-use carom_tables::{Groups, Law, Scaled};
+use carom_tables::read::{Groups, Law, ScaledRestitution};
 
 /// The scales of one impact (MP13, Sec. V).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Scales<S> {
 
 impl<S: Scalar> Scales<S> {
     /// A scaled outcome in the units of the impact: τ = ε_t T (MP13 Eq. 20), the rest as it is.
-    pub fn outcome(&self, scaled: &Scaled<S>) -> Outcome<S> {
+    pub fn outcome(&self, scaled: &ScaledRestitution<S>) -> Outcome<S> {
         Outcome {
             duration: scaled.tau * self.time,
             restitution: scaled.speed,

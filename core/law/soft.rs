@@ -1,11 +1,11 @@
 //! What does a soft contact do? The matrix of restitution of MP13 from a table; reads an impact, writes its outcome.
 
-use super::embedded::{self, Embedded};
+use super::embedded::Embedded;
 use super::rule::{Answer, Impact, Response, Rule, Validity};
 use super::scales::{ForceLaw, LinearDashpot, Scales, Viscoelastic};
 use crate::error::Error;
 use crate::scalar::Scalar;
-use carom_tables::{Groups, Table};
+use carom_tables::read::{Groups, StoredNumber, Table};
 
 /// What to do with an impact outside the table's domain. It is counted in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +57,7 @@ impl<S, L, C> Rule<S> for Soft<L, C>
 where
     S: Scalar,
     L: ForceLaw<S>,
-    C: embedded::Number,
+    C: StoredNumber,
 {
     fn collide(&self, impact: &Impact<S>) -> Answer<S> {
         let scales = self.law.scales(impact);
@@ -80,7 +80,7 @@ where
     }
 }
 
-impl<L, C: embedded::Number> Soft<L, C> {
+impl<L, C: StoredNumber> Soft<L, C> {
     fn clamped<S: Scalar>(&self, groups: &Groups<S>, scales: &Scales<S>) -> Answer<S> {
         match self.table.read_nearest(groups) {
             Some(found) => Answer {

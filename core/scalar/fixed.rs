@@ -10,7 +10,7 @@ use super::traits::{
     Comparison, Elementary, Products, Range, Rounding, Scalar, Timekeeping, Vector, WideProduct,
     sealed::Sealed,
 };
-use carom_tables::number::{I16F16, I32F32, Product as Exact, integer};
+use carom_tables::fixed_point::{I16F16, I32F32, Product as Exact, integer};
 
 macro_rules! scalar {
     ($t:ident, $word:ident, $wide:ident) => {

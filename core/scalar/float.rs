@@ -7,7 +7,7 @@ use super::traits::{
     sealed::Sealed,
 };
 use super::trigonometry;
-use carom_tables::Real;
+use carom_tables::read::Real;
 
 const TICKS_PER_UNIT: f64 = 18_446_744_073_709_551_616.0;
 

@@ -2,7 +2,7 @@
 //!
 //! Only what never decides an event by itself is computed so.
 
-use carom_tables::Real;
+use carom_tables::read::Real;
 use core::ops::{Add, Mul, Sub};
 use num_traits::{One, Zero};
 

@@ -16,9 +16,9 @@ mod traits;
 mod trigonometry;
 mod vector;
 
-pub use carom_tables::Real;
 #[cfg(feature = "fixed")]
-pub use carom_tables::number::{I16F16, I32F32};
+pub use carom_tables::fixed_point::{I16F16, I32F32};
+pub use carom_tables::read::Real;
 pub(crate) use clock::Clock;
 pub use instant::{Instant, TimeSpan};
 pub(crate) use lanes::{LANES, Lanes};

@@ -5,7 +5,7 @@
 
 use super::instant::{Instant, TimeSpan};
 use super::lanes::Lanes;
-use carom_tables::Real;
+use carom_tables::read::Real;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, MulAssign, Neg, Sub, SubAssign};
 

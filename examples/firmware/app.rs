@@ -1,6 +1,6 @@
 //! What does the firmware of every family do? The tilt box and its measurements; reads a chip, writes text.
 
-use carom::law::tables::Table;
+use carom::law::tables::read::Table;
 use carom::{Fault, World};
 use carom_scenes::Number;
 use carom_scenes::measure::{self, Cost};

@@ -3,7 +3,8 @@
 use carom::Fault;
 use carom::law::force::ForceLaw;
 use carom::law::{Answer, Encounter, Response, Rule};
-use carom_tables::{End, contact};
+use carom_tables::contact;
+use carom_tables::read::End;
 
 /// eMD* with the matrix of restitution integrated directly, to 1e-12 (MP13 Eqs. 42, 54).
 ///

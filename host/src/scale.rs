@@ -3,7 +3,7 @@
 //! This is the only place in the host where the scaling of MP13 (Müller and Pöschel 2013,
 //! doi:10.1103/PhysRevE.87.033301) is written down: Eqs. (41), (43), (52) and (53).
 
-use carom_tables::{End, Groups, Law, Scaled};
+use carom_tables::read::{End, Groups, Law, ScaledRestitution};
 
 /// A contact law with its material parameters.
 ///
@@ -137,10 +137,10 @@ impl Impact {
     ///
     /// When the force vanishes at the end of the contact, `x = c_dis |x'|` holds there, so
     /// `1 − ε_r = η c_dis |ε_ṙ|`. When the contact ends at overlap zero, `ε_r = 1`.
-    pub fn shortfall(&self, scaled: &Scaled<f64>, end: End) -> f64 {
+    pub fn shortfall(&self, scaled: &ScaledRestitution<f64>, end: End) -> f64 {
         match end {
             End::Force => self.groups.c_dis * scaled.speed * self.groups.eta,
-            End::Overlap => 0.0,
+            _ => 0.0,
         }
     }
 }

@@ -3,8 +3,8 @@
 use crate::collide::Restitution;
 use anyhow::{Context, Result};
 use carom::law::tables::{self, Stored};
-use carom_tables::recipe::{Made, Recipe};
-use carom_tables::{End, Groups, Law, Scaled, Table};
+use carom_tables::read::{End, Groups, Law, ScaledRestitution, Table};
+use carom_tables::recipe::{GeneratedTable, Recipe};
 use clap::ValueEnum;
 use serde::Deserialize;
 
@@ -38,11 +38,11 @@ impl Size {
 pub fn embedded(size: Size, law: Law) -> &'static Table<Stored> {
     match (size, law) {
         (Size::Compact, Law::LinearDashpot) => &tables::compact::LINEAR_DASHPOT,
-        (Size::Compact, Law::Viscoelastic) => &tables::compact::VISCOELASTIC,
+        (Size::Compact, _) => &tables::compact::VISCOELASTIC,
         (Size::Standard, Law::LinearDashpot) => &tables::standard::LINEAR_DASHPOT,
-        (Size::Standard, Law::Viscoelastic) => &tables::standard::VISCOELASTIC,
+        (Size::Standard, _) => &tables::standard::VISCOELASTIC,
         (Size::Wide, Law::LinearDashpot) => &tables::wide::LINEAR_DASHPOT,
-        (Size::Wide, Law::Viscoelastic) => &tables::wide::VISCOELASTIC,
+        (Size::Wide, _) => &tables::wide::VISCOELASTIC,
     }
 }
 
@@ -54,7 +54,7 @@ pub struct Embedded(
 );
 
 impl Restitution for Embedded {
-    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<Scaled<f64>> {
+    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<ScaledRestitution<f64>> {
         embedded(self.0, law).read(groups)
     }
 
@@ -65,7 +65,7 @@ impl Restitution for Embedded {
 
 /// Tables that are made when they are asked for.
 #[derive(Clone, Debug)]
-pub struct Generated(Vec<(Law, Made<f32>)>);
+pub struct Generated(Vec<(Law, GeneratedTable<f32>)>);
 
 impl Generated {
     /// Makes a table of this size for each of the laws.
@@ -85,17 +85,17 @@ impl Generated {
         Ok(Self(laws.iter().map(make).collect::<Result<_>>()?))
     }
 
-    fn made(&self, law: Law) -> Option<&Made<f32>> {
+    fn made(&self, law: Law) -> Option<&GeneratedTable<f32>> {
         self.0.iter().find(|(known, _)| *known == law).map(|(_, made)| made)
     }
 }
 
 impl Restitution for Generated {
-    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<Scaled<f64>> {
-        self.made(law)?.body().read(groups)
+    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<ScaledRestitution<f64>> {
+        self.made(law)?.data().read(groups)
     }
 
     fn clamp(&self, law: Law, groups: &Groups<f64>) -> Groups<f64> {
-        self.made(law).map_or(*groups, |made| made.body().domain.clamp(groups))
+        self.made(law).map_or(*groups, |made| made.data().domain.clamp(groups))
     }
 }

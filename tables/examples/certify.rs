@@ -4,15 +4,18 @@
 
 use std::time::Instant;
 
-use carom_tables::recipe::{Made, range, spread::Spread};
-use carom_tables::{End, Groups, Law, Recipe, Scaled, contact};
+use carom_tables::collision::draw_from_mp13;
+use carom_tables::contact;
+use carom_tables::random::Rng;
+use carom_tables::read::{End, Groups, Law, ScaledRestitution};
+use carom_tables::recipe::{GeneratedTable, Recipe};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut words = std::env::args().skip(1);
     let which = words.next().unwrap_or_else(|| "all".into());
     let points: usize = words.next().map_or(Ok(100_000), |w| w.parse())?;
-    if which == "plans" {
-        return plans();
+    if which == "bisections" {
+        return bisections();
     }
     println!(
         "largest: tau (relative), speed, angle [rad], separation; promised by the certificate / found / 99.9 % of the points"
@@ -28,33 +31,33 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 which.contains(name) && (which == name || which.contains(&format!("{law:?}")));
             if which == "all" || asked {
                 let start = Instant::now();
-                let made = recipe.generate::<f32>()?;
+                let table = recipe.generate::<f32>()?;
                 let seconds = start.elapsed().as_secs_f64();
-                report(&format!("{name} {law:?}"), &made, seconds, points);
+                report(&format!("{name} {law:?}"), &table, seconds, points);
             }
         }
     }
     Ok(())
 }
 
-/// Searches for the bisections and prints them as `src/recipe/plan.rs` keeps them.
-fn plans() -> Result<(), Box<dyn std::error::Error>> {
+/// Searches for the bisections and prints them as `src/recipe/bisections.rs` keeps them.
+fn bisections() -> Result<(), Box<dyn std::error::Error>> {
     println!(
         "//! How are the presets' unit cubes bisected? Reads nothing; writes nothing, keeps what a search found."
     );
     println!("//!");
     println!(
-        "//! Made by `cargo run --release -p carom-tables --example certify plans > tables/src/recipe/plan.rs`."
+        "//! Made by `cargo run --release -p carom-tables --example certify bisections > tables/src/recipe/bisections.rs`."
     );
     println!(
-        "//! An unoptimised build script has no time for the search; what a plan gives is certified all the same."
+        "//! An unoptimised build script has no time for the search; the table that a kept bisection gives is certified all the same."
     );
     for (law, suffix) in [(Law::LinearDashpot, "LINEAR"), (Law::Viscoelastic, "VISCOELASTIC")] {
         for (name, recipe) in [("STANDARD", Recipe::standard(law)), ("WIDE", Recipe::wide(law))] {
-            let made = recipe.search().points(100).generate::<f32>()?;
+            let table = recipe.search().points(100).generate::<f32>()?;
             println!("\npub(super) const {name}_{suffix}: &str = \"\\");
-            let plan = made.plan().as_bytes();
-            for line in plan.chunks(90) {
+            let bisection = table.bisection().as_bytes();
+            for line in bisection.chunks(90) {
                 println!("    {}\\", String::from_utf8_lossy(line));
             }
             println!("    \";");
@@ -63,43 +66,47 @@ fn plans() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-fn report(name: &str, made: &Made<f32>, seconds: f64, points: usize) {
-    let c = &made.certificate;
+fn report(name: &str, table: &GeneratedTable<f32>, seconds: f64, points: usize) {
+    let c = &table.certificate;
     println!(
         "{name}: {} bytes, {} leaves, at most {} terms, made in {seconds:.1} s, digest {:#018x}",
         c.bytes,
-        made.body().leaves.len(),
+        table.data().leaves.len(),
         c.terms,
         c.digest
     );
     println!(
         "  promised  {}   99.9 % {}   typical {}",
         row(&c.largest),
-        row(&c.usual),
+        row(&c.quantile_999),
         row(&c.typical)
     );
     let wide = c.domain.softness_max > 0.3;
     let kinds: &[&str] = if wide { &["tables", "domain"] } else { &["domain", "e<=0.99"] };
     for kind in kinds {
-        let (largest, usual, outside) = measure(made, kind, points);
+        let (largest, usual, outside) = measure(table, kind, points);
         println!("  {kind:8}  {}   99.9 % {}   outside {outside}", row(&largest), row(&usual));
     }
 }
 
-fn row(s: &Scaled<f64>) -> String {
+fn row(s: &ScaledRestitution<f64>) -> String {
     format!("{:.2e} {:.2e} {:.2e} {:.2e}", s.tau, s.speed, s.angle, s.separation)
 }
 
-fn measure(made: &Made<f32>, kind: &str, points: usize) -> (Scaled<f64>, Scaled<f64>, usize) {
-    let law = made.certificate.law;
-    let body = made.body();
-    let mut spread = Spread::new(0xfeed);
+fn measure(
+    table: &GeneratedTable<f32>,
+    kind: &str,
+    points: usize,
+) -> (ScaledRestitution<f64>, ScaledRestitution<f64>, usize) {
+    let law = table.certificate.law;
+    let body = table.data();
+    let mut rng = Rng::new(0xfeed);
     let mut errors = [const { Vec::new() }; 4];
     let mut outside = 0;
     for n in 0..points {
         let g = match kind {
-            "tables" => range::draw(law, &mut spread),
-            _ => anywhere(made, &mut spread, n, kind == "e<=0.99"),
+            "tables" => draw_from_mp13(law, &mut rng),
+            _ => anywhere(table, &mut rng, n, kind == "e<=0.99"),
         };
         let single = Groups {
             sin: g.sin as f32,
@@ -128,23 +135,23 @@ fn measure(made: &Made<f32>, kind: &str, points: usize) -> (Scaled<f64>, Scaled<
     let at = |part: f64| {
         let [tau, speed, angle, separation] =
             [0, 1, 2, 3].map(|k| errors[k][((errors[k].len() - 1) as f64 * part) as usize]);
-        Scaled { tau, speed, angle, separation }
+        ScaledRestitution { tau, speed, angle, separation }
     };
     (at(1.0), at(0.999), outside)
 }
 
 /// Anywhere in the domain: every second point grazing, or with little damping.
-fn anywhere(made: &Made<f32>, spread: &mut Spread, n: usize, usual: bool) -> Groups<f64> {
-    let d = made.certificate.domain;
+fn anywhere(table: &GeneratedTable<f32>, rng: &mut Rng, n: usize, usual: bool) -> Groups<f64> {
+    let d = table.certificate.domain;
     let top = if usual { 0.99 } else { (1.0 - d.cos_min * d.cos_min).sqrt() };
-    let u = spread.uniform();
+    let u = rng.uniform();
     let sin = if n.is_multiple_of(2) || usual { u * top } else { top * (1.0 - u.powi(6)) };
     let cos = ((1.0 - sin) * (1.0 + sin)).sqrt().max(d.cos_min);
-    let soft = spread.uniform().powi(if d.softness_max > 1.0 { 3 } else { 1 });
+    let soft = rng.uniform().powi(if d.softness_max > 1.0 { 3 } else { 1 });
     let c_dis = if d.c_dis_max > 1.5 && !n.is_multiple_of(3) {
-        spread.logarithmic(1e-4, d.c_dis_max)
+        rng.log_uniform(1e-4, d.c_dis_max)
     } else {
-        d.c_dis_max * spread.uniform().powi(1 + (n % 2) as i32)
+        d.c_dis_max * rng.uniform().powi(1 + (n % 2) as i32)
     };
     Groups { sin, cos, eta: soft * d.softness_max * cos, c_dis }
 }

@@ -1,25 +1,25 @@
-//! How does one contact go, from touch to end? Reads the law, the end and the scaled groups; writes its restitution to 1e-12.
+//! How does one contact go, from first touch to end? Reads the law, the end and the scaled groups; writes the restitution to 1e-12.
 
-use crate::form::{Groups, Scaled};
-use crate::law::{End, Law};
-use crate::series::{Constants, PRECISE, Path, QUICK, value};
+use crate::read::groups::{Groups, ScaledRestitution};
+use crate::read::law::{End, Law};
+use crate::taylor::{PRECISE_TERMS, Parameters, QUICK_TERMS, Trajectory, value};
 
-/// What one contact leaves behind, before the impact angle is put in.
+/// The result of the radial equation of motion for one contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outcome {
+pub(crate) struct RadialSolution {
     /// Scaled contact duration.
     pub tau: f64,
     /// `|x'|` at the end.
     pub speed: f64,
-    /// `integral dt / (1 - eta x)^2` over the contact.
-    pub sweep: f64,
-    /// Went the pair through the centre of an exactly central collision?
-    pub through: bool,
+    /// `integral dt / (1 - eta x)^2` over the contact: the rotation divided by `tan(alpha) eta`.
+    pub rotation: f64,
+    /// Whether the centres passed each other in an exactly central collision.
+    pub passed_centre: bool,
 }
 
 const STEPS: usize = 20_000;
 
-/// Integrates the contact equation (MP13 Eqs. 42, 54) for one collision.
+/// Integrates the scaled equation of motion of a contact (MP13 Eqs. 42, 54) for one collision.
 ///
 /// Accurate to 1e-12 (`tau` relative, the others absolute) for any finite groups with
 /// `0 < cos <= 1`, `eta >= 0`, `c_dis >= 0`, the end of the contact included.
@@ -27,40 +27,52 @@ const STEPS: usize = 20_000;
 ///
 /// # Units
 /// Scaled: time in `T`, length in `X`, angle in radians.
-pub fn integrate(law: Law, end: End, groups: &Groups<f64>) -> Scaled<f64> {
-    outcome_at(end, groups, |kappa| follow(law, end, kappa, groups.eta, groups.c_dis))
+pub fn integrate(law: Law, end: End, groups: &Groups<f64>) -> ScaledRestitution<f64> {
+    restitution(end, groups, |kappa| integrate_radial(law, end, kappa, groups.eta, groups.c_dis))
 }
 
-/// Puts the impact angle back into what a contact leaves behind.
-pub(crate) fn outcome_at(
+/// The restitution of one collision from the solution `radial` of its radial equation.
+pub(crate) fn restitution(
     end: End,
     groups: &Groups<f64>,
-    follow: impl FnOnce(f64) -> Outcome,
-) -> Scaled<f64> {
+    radial: impl FnOnce(f64) -> RadialSolution,
+) -> ScaledRestitution<f64> {
     let tan = groups.sin / groups.cos;
-    let done = follow(tan * tan * groups.eta);
-    let swept = if tan > 0.0 { tan * groups.eta * done.sweep } else { 0.0 };
-    let angle = if done.through { core::f64::consts::PI } else { swept };
+    let done = radial(tan * tan * groups.eta);
+    let swept = if tan > 0.0 { tan * groups.eta * done.rotation } else { 0.0 };
+    let angle = if done.passed_centre { core::f64::consts::PI } else { swept };
     let separation = match end {
         End::Force => 1.0 - groups.c_dis * done.speed * groups.eta,
         End::Overlap => 1.0,
     };
-    Scaled { tau: done.tau, speed: done.speed, angle, separation }
+    ScaledRestitution { tau: done.tau, speed: done.speed, angle, separation }
 }
 
-/// Follows `x'' = -kappa/(1 - eta x)^3 - g(x) - c_dis d(x) x'` from touch to end.
+/// Integrates `x'' = -kappa/(1 - eta x)^3 - g(x) - c_dis d(x) x'` from touch to end.
 ///
-/// Taylor series of order 24 in a step variable in which both laws, and the passage close to
+/// Taylor series of order 22 in a step variable in which both laws, and the passage close to
 /// the centre, are smooth. `p = x + c_dis x'` is a state of its own: an overdamped contact
 /// ends where `p` has fallen by many orders of magnitude, and only its relative precision
 /// locates that instant.
-pub fn follow(law: Law, end: End, kappa: f64, eta: f64, c_dis: f64) -> Outcome {
-    run::<PRECISE>(law, end, kappa, eta, c_dis, 1e-17)
+pub(crate) fn integrate_radial(
+    law: Law,
+    end: End,
+    kappa: f64,
+    eta: f64,
+    c_dis: f64,
+) -> RadialSolution {
+    run::<PRECISE_TERMS>(law, end, kappa, eta, c_dis, 1e-17)
 }
 
-/// [`follow`] to about 1e-10, five times faster: for the fit of tables in single precision.
-pub fn follow_quickly(law: Law, end: End, kappa: f64, eta: f64, c_dis: f64) -> Outcome {
-    run::<QUICK>(law, end, kappa, eta, c_dis, 1e-9)
+/// [`integrate_radial`] to about 1e-10, five times faster: for the fit of tables in single precision.
+pub(crate) fn integrate_radial_quickly(
+    law: Law,
+    end: End,
+    kappa: f64,
+    eta: f64,
+    c_dis: f64,
+) -> RadialSolution {
+    run::<QUICK_TERMS>(law, end, kappa, eta, c_dis, 1e-9)
 }
 
 fn run<const N: usize>(
@@ -70,46 +82,51 @@ fn run<const N: usize>(
     eta: f64,
     c_dis: f64,
     tolerance: f64,
-) -> Outcome {
-    let c = Constants { kappa, eta, c_dis };
+) -> RadialSolution {
+    let c = Parameters { kappa, eta, c_dis };
     if !(kappa + eta + c_dis).is_finite() {
-        return Outcome { tau: f64::NAN, speed: f64::NAN, sweep: f64::NAN, through: false };
+        return RadialSolution {
+            tau: f64::NAN,
+            speed: f64::NAN,
+            rotation: f64::NAN,
+            passed_centre: false,
+        };
     }
-    let mut path = Path::<N>::touch(&c);
-    let mut through = false;
-    let scale = reach(law, &c);
+    let mut path = Trajectory::<N>::at_first_touch(&c);
+    let mut passed_centre = false;
+    let scale = compression_scale(law, &c);
     for _ in 0..STEPS {
         expand(law, &mut path, &c);
-        let h = path.step(longest(law, &path, &c), tolerance, scale, &c);
+        let h = path.step(max_step(law, &path, &c), tolerance, scale, &c);
         if let Some(h) = ending(law, end, &path, &c, h) {
             path.advance(h);
-            return outcome(law, end, &path, &c, through);
+            return outcome(law, end, &path, &c, passed_centre);
         }
         path.advance(h);
         renew(law, &mut path, &c);
-        if kappa == 0.0 && path.q[0] < 1e-17 && !through {
-            through = true;
+        if kappa == 0.0 && path.q[0] < 1e-17 && !passed_centre {
+            passed_centre = true;
             reflect(law, &mut path, &c);
         }
     }
-    Outcome { tau: f64::INFINITY, speed: 0.0, sweep: path.sweep[0], through }
+    RadialSolution { tau: f64::INFINITY, speed: 0.0, rotation: path.rotation[0], passed_centre }
 }
 
 /// At the centre of an exactly central collision the distance begins to grow again.
-fn reflect<const N: usize>(law: Law, path: &mut Path<N>, c: &Constants) {
+fn reflect<const N: usize>(law: Law, path: &mut Trajectory<N>, c: &Parameters) {
     path.v[0] = -path.v[0];
     path.p[0] = compression(law, path) + c.c_dis * path.v[0];
 }
 
-/// About how deep a contact goes: spring, damping and centrifugal push in turn set the limit.
-fn reach(law: Law, c: &Constants) -> f64 {
+/// About how deep a contact goes: spring, damping and centrifugal force in turn set the limit.
+fn compression_scale(law: Law, c: &Parameters) -> f64 {
     match law {
         Law::LinearDashpot => 1.0 / (1.0 + c.c_dis + c.kappa),
         Law::Viscoelastic => 1.0 / libm::sqrt(1.0 + c.kappa + libm::pow(c.c_dis, 2.0 / 3.0)),
     }
 }
 
-fn expand<const N: usize>(law: Law, path: &mut Path<N>, c: &Constants) {
+fn expand<const N: usize>(law: Law, path: &mut Trajectory<N>, c: &Parameters) {
     match law {
         Law::LinearDashpot => path.expand_linear(c),
         Law::Viscoelastic => path.expand_viscoelastic(c),
@@ -117,7 +134,7 @@ fn expand<const N: usize>(law: Law, path: &mut Path<N>, c: &Constants) {
 }
 
 /// The compression `x` at the start of a step.
-fn compression<const N: usize>(law: Law, path: &Path<N>) -> f64 {
+fn compression<const N: usize>(law: Law, path: &Trajectory<N>) -> f64 {
     match law {
         Law::LinearDashpot => path.depth[0],
         Law::Viscoelastic => path.depth[0] * path.depth[0],
@@ -125,7 +142,7 @@ fn compression<const N: usize>(law: Law, path: &Path<N>) -> f64 {
 }
 
 /// No step may be so long that the damping wipes out what it carries, or that an end hides in it.
-fn longest<const N: usize>(law: Law, path: &Path<N>, c: &Constants) -> f64 {
+fn max_step<const N: usize>(law: Law, path: &Trajectory<N>, c: &Parameters) -> f64 {
     let rate = match law {
         Law::LinearDashpot => 0.7 + c.c_dis * path.q[0],
         Law::Viscoelastic => 0.7 + 2.0 * c.c_dis * compression(law, path) * path.q[0],
@@ -134,7 +151,7 @@ fn longest<const N: usize>(law: Law, path: &Path<N>, c: &Constants) -> f64 {
 }
 
 /// Of the two ways to carry the velocity the one that keeps its precision renews the other.
-fn renew<const N: usize>(law: Law, path: &mut Path<N>, c: &Constants) {
+fn renew<const N: usize>(law: Law, path: &mut Trajectory<N>, c: &Parameters) {
     let x = compression(law, path);
     if c.c_dis >= 1.0 {
         path.v[0] = (path.p[0] - x) / c.c_dis;
@@ -144,7 +161,13 @@ fn renew<const N: usize>(law: Law, path: &mut Path<N>, c: &Constants) {
 }
 
 /// Positive while the contact lasts.
-fn lasting<const N: usize>(law: Law, end: End, path: &Path<N>, c: &Constants, h: f64) -> f64 {
+fn lasting<const N: usize>(
+    law: Law,
+    end: End,
+    path: &Trajectory<N>,
+    c: &Parameters,
+    h: f64,
+) -> f64 {
     let depth = value(&path.depth, h);
     match (end, law) {
         (End::Overlap, _) => depth,
@@ -158,8 +181,8 @@ fn lasting<const N: usize>(law: Law, end: End, path: &Path<N>, c: &Constants, h:
 fn ending<const N: usize>(
     law: Law,
     end: End,
-    path: &Path<N>,
-    c: &Constants,
+    path: &Trajectory<N>,
+    c: &Parameters,
     h: f64,
 ) -> Option<f64> {
     const SAMPLES: usize = 6;
@@ -206,42 +229,61 @@ fn bisect(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
 fn outcome<const N: usize>(
     law: Law,
     end: End,
-    path: &Path<N>,
-    c: &Constants,
-    through: bool,
-) -> Outcome {
+    path: &Trajectory<N>,
+    c: &Parameters,
+    passed_centre: bool,
+) -> RadialSolution {
     let speed = match end {
         _ if c.c_dis == 0.0 => 1.0,
         End::Force if c.c_dis >= 1.0 => compression(law, path) / c.c_dis,
         _ => (-path.v[0]).max(0.0),
     };
-    Outcome { tau: path.time[0], speed, sweep: path.sweep[0], through }
+    RadialSolution { tau: path.time[0], speed, rotation: path.rotation[0], passed_centre }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::recipe::spread::Spread;
+    use crate::contact::{integrate_radial, integrate_radial_quickly, run};
+    use crate::random::Rng;
+    use crate::read::law::{End, Law};
+    use crate::taylor::PRECISE_TERMS;
 
     /// Other steps, another order, the same contact: 1e-12 all over MP13's tables and beyond.
     #[test]
     fn the_result_does_not_depend_on_steps_and_order() {
-        let mut spread = Spread::new(8);
+        let mut rng = Rng::new(8);
         for _ in 0..400 {
-            let kappa = spread.logarithmic(1e-11, 1e2);
+            let kappa = rng.log_uniform(1e-11, 1e2);
             for (law, eta, most) in
                 [(Law::LinearDashpot, 10.0, 56.0), (Law::Viscoelastic, 0.7, 5e6)]
             {
-                let eta = spread.logarithmic(1e-7, eta);
+                let eta = rng.log_uniform(1e-7, eta);
                 let kappa = kappa.max(1e-4 * eta);
-                let c_dis = spread.logarithmic(1e-4, most);
-                let a = run::<PRECISE>(law, End::Force, kappa, eta, c_dis, 1e-17);
+                let c_dis = rng.log_uniform(1e-4, most);
+                let a = run::<PRECISE_TERMS>(law, End::Force, kappa, eta, c_dis, 1e-17);
                 let b = run::<30>(law, End::Force, kappa, eta, c_dis, 1e-19);
                 let turn = libm::sqrt(kappa * eta);
                 let at = (law, kappa, eta, c_dis);
                 assert!((a.tau / b.tau - 1.0).abs() < 1e-12, "{at:?} {a:?} {b:?}");
                 assert!((a.speed - b.speed).abs() < 1e-12, "{at:?} {a:?} {b:?}");
-                assert!((a.sweep - b.sweep).abs() * turn < 1e-12, "{at:?} {a:?} {b:?}");
+                assert!((a.rotation - b.rotation).abs() * turn < 1e-12, "{at:?} {a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn quick_and_precise_integration_agree() {
+        let mut rng = Rng::new(3);
+        for _ in 0..300 {
+            let kappa = rng.log_uniform(1e-9, 1e3);
+            let eta = rng.log_uniform(1e-7, 0.9);
+            for (law, most) in [(Law::LinearDashpot, 50.0), (Law::Viscoelastic, 5e5)] {
+                let c_dis = rng.log_uniform(1e-5, most);
+                let a = integrate_radial(law, End::Force, kappa, eta, c_dis);
+                let b = integrate_radial_quickly(law, End::Force, kappa, eta, c_dis);
+                assert!((a.tau / b.tau - 1.0).abs() < 1e-8, "{a:?} {b:?}");
+                assert!((a.speed - b.speed).abs() < 1e-8, "{a:?} {b:?}");
+                assert!((a.rotation / b.rotation - 1.0).abs() < 1e-8, "{a:?} {b:?}");
             }
         }
     }
@@ -249,9 +291,9 @@ mod tests {
     #[test]
     fn what_is_not_finite_gives_nan_and_no_panic() {
         for bad in [f64::NAN, f64::INFINITY] {
-            assert!(follow(Law::Viscoelastic, End::Force, bad, 0.1, 0.1).tau.is_nan());
-            assert!(follow(Law::LinearDashpot, End::Force, 0.1, bad, 0.1).tau.is_nan());
-            assert!(follow(Law::LinearDashpot, End::Overlap, 0.1, 0.1, bad).tau.is_nan());
+            assert!(integrate_radial(Law::Viscoelastic, End::Force, bad, 0.1, 0.1).tau.is_nan());
+            assert!(integrate_radial(Law::LinearDashpot, End::Force, 0.1, bad, 0.1).tau.is_nan());
+            assert!(integrate_radial(Law::LinearDashpot, End::Overlap, 0.1, 0.1, bad).tau.is_nan());
         }
     }
 }

@@ -1,13 +1,16 @@
 //! Do tables keep what their certificates promise? Reads tables at fresh points; writes nothing.
 
-use carom_tables::recipe::{Made, Number, range, spread::Spread};
-use carom_tables::{End, Groups, Law, Recipe, Scaled, contact::integrate};
+use carom_tables::collision::draw_from_mp13;
+use carom_tables::contact::integrate;
+use carom_tables::random::Rng;
+use carom_tables::read::{End, Groups, Law, ScaledRestitution};
+use carom_tables::recipe::{GeneratedTable, NumberType, Recipe};
 use proptest::prelude::*;
 use std::sync::LazyLock;
 
 const LAWS: [Law; 2] = [Law::LinearDashpot, Law::Viscoelastic];
 
-static COMPACT: LazyLock<[Made<f32>; 2]> =
+static COMPACT: LazyLock<[GeneratedTable<f32>; 2]> =
     LazyLock::new(|| LAWS.map(|law| Recipe::compact(law).generate().unwrap()));
 
 fn single(g: &Groups<f64>) -> Groups<f32> {
@@ -19,12 +22,12 @@ fn double(g: &Groups<f32>) -> Groups<f64> {
 }
 
 /// Is the reading at `g` as good as promised? `None` outside the domain.
-fn holds(made: &Made<f32>, g: &Groups<f64>, end: End) -> Option<()> {
+fn holds(table: &GeneratedTable<f32>, g: &Groups<f64>, end: End) -> Option<()> {
     let g32 = single(g);
     let g = double(&g32);
-    let got = made.body().read(&g32)?;
-    let truth = integrate(made.certificate.law, end, &g);
-    let p = &made.certificate.largest;
+    let got = table.data().read(&g32)?;
+    let truth = integrate(table.certificate.law, end, &g);
+    let p = &table.certificate.largest;
     let pairs = [
         (f64::from(got.tau) / truth.tau, 1.0, p.tau),
         (got.speed.into(), truth.speed, p.speed),
@@ -39,21 +42,21 @@ fn holds(made: &Made<f32>, g: &Groups<f64>, end: End) -> Option<()> {
 
 #[test]
 fn compact_certificates_hold_at_fresh_points() {
-    let mut spread = Spread::new(0xabcd);
-    for made in COMPACT.iter() {
+    let mut rng = Rng::new(0xabcd);
+    for table in COMPACT.iter() {
         for _ in 0..2_000 {
-            let sin = spread.uniform();
+            let sin = rng.uniform();
             let cos = ((1.0 - sin) * (1.0 + sin)).sqrt();
-            let g = Groups { sin, cos, eta: 0.2 * cos * spread.uniform(), c_dis: spread.uniform() };
-            holds(made, &g, End::Force);
+            let g = Groups { sin, cos, eta: 0.2 * cos * rng.uniform(), c_dis: rng.uniform() };
+            holds(table, &g, End::Force);
         }
     }
 }
 
 #[test]
 fn compact_and_standard_keep_their_budgets() {
-    for (made, law) in COMPACT.iter().zip(LAWS) {
-        let c = &made.certificate;
+    for (table, law) in COMPACT.iter().zip(LAWS) {
+        let c = &table.certificate;
         assert!(c.bytes <= 8 * 1024 && worst(&c.largest) < 1e-3, "{law:?}: {c:?}");
         let c = Recipe::standard(law).points(1_000).generate::<f32>().unwrap().certificate;
         assert!(c.bytes <= 24 * 1024 && worst(&c.largest) < 1e-5, "{law:?}: {c:?}");
@@ -64,34 +67,34 @@ fn compact_and_standard_keep_their_budgets() {
 #[ignore = "seconds in release: cargo test --release -p carom-tables -- --ignored"]
 fn wide_certificates_hold_over_the_tables_of_mp13() {
     for law in LAWS {
-        let made = Recipe::wide(law).generate::<f32>().unwrap();
-        let c = &made.certificate;
+        let table = Recipe::wide(law).generate::<f32>().unwrap();
+        let c = &table.certificate;
         assert!(c.bytes <= 96 * 1024, "{} bytes", c.bytes);
-        assert!(worst(&c.typical) < 1e-2 && worst(&c.usual) < 1e-3, "{c:?}");
-        let mut spread = Spread::new(0x1234);
+        assert!(worst(&c.typical) < 1e-2 && worst(&c.quantile_999) < 1e-3, "{c:?}");
+        let mut rng = Rng::new(0x1234);
         for _ in 0..20_000 {
-            let g = range::draw(law, &mut spread);
-            assert!(holds(&made, &g, End::Force).is_some(), "{g:?} is outside");
+            let g = draw_from_mp13(law, &mut rng);
+            assert!(holds(&table, &g, End::Force).is_some(), "{g:?} is outside");
         }
     }
 }
 
-fn worst(s: &Scaled<f64>) -> f64 {
+fn worst(s: &ScaledRestitution<f64>) -> f64 {
     s.tau.max(s.speed).max(s.angle).max(s.separation)
 }
 
 #[test]
 fn the_built_in_limits_are_exact() {
-    for made in COMPACT.iter() {
+    for table in COMPACT.iter() {
         for sin in [0.0_f64, 0.2, 0.9, 0.9999] {
             let cos = (1.0 - sin * sin).sqrt();
             let elastic = Groups { sin, cos, eta: 0.19 * cos, c_dis: 0.0 };
-            let s = made.body().read(&elastic).unwrap();
+            let s = table.data().read(&elastic).unwrap();
             assert_eq!((s.speed, s.separation), (1.0, 1.0));
-            let s = made.body().read(&single(&elastic)).unwrap();
+            let s = table.data().read(&single(&elastic)).unwrap();
             assert_eq!((s.speed, s.separation), (1.0, 1.0));
             let stiff = Groups { eta: 0.0, c_dis: 0.7, ..elastic };
-            let s = made.body().read(&stiff).unwrap();
+            let s = table.data().read(&stiff).unwrap();
             assert_eq!((s.angle, s.separation), (0.0, 1.0));
         }
     }
@@ -100,7 +103,7 @@ fn the_built_in_limits_are_exact() {
 /// The digests that this version makes, on every machine and in every build.
 #[test]
 fn digests_are_the_same_everywhere() {
-    let digests = COMPACT.each_ref().map(|made| made.certificate.digest);
+    let digests = COMPACT.each_ref().map(|table| table.certificate.digest);
     assert_eq!(digests, [COMPACT_LINEAR, COMPACT_VISCOELASTIC], "{digests:#018x?}");
     let again = Recipe::compact(LAWS[0]).search().generate::<f32>().unwrap();
     assert_eq!(again.certificate, COMPACT[0].certificate);
@@ -111,13 +114,13 @@ const COMPACT_VISCOELASTIC: u64 = 0x2b4e_c100_1173_4c0a;
 /// The kept bisections are what a search finds.
 #[test]
 #[ignore = "searches: cargo test --release -p carom-tables -- --ignored"]
-fn plans_are_what_a_search_finds() {
+fn kept_bisections_are_what_a_search_finds() {
     for law in LAWS {
         for recipe in [Recipe::standard(law), Recipe::wide(law)] {
             let recipe = recipe.points(100);
             let kept = recipe.generate::<f32>().unwrap();
             let found = recipe.search().generate::<f32>().unwrap();
-            assert_eq!(kept.plan(), found.plan());
+            assert_eq!(kept.bisection(), found.bisection());
             assert_eq!(kept.certificate.digest, found.certificate.digest);
         }
     }
@@ -127,10 +130,10 @@ fn plans_are_what_a_search_finds() {
 fn tables_of_luding_1994_end_with_the_overlap() {
     for law in LAWS {
         let recipe = Recipe::compact(law).end(End::Overlap).c_dis_max(0.5).points(1_000);
-        let made = recipe.generate::<f32>().unwrap();
-        assert!(worst(&made.certificate.largest) < 1e-3, "{:?}", made.certificate);
+        let table = recipe.generate::<f32>().unwrap();
+        assert!(worst(&table.certificate.largest) < 1e-3, "{:?}", table.certificate);
         let g = Groups { sin: 0.6, cos: 0.8, eta: 0.1, c_dis: 0.3 };
-        holds(&made, &g, End::Overlap).unwrap();
+        holds(&table, &g, End::Overlap).unwrap();
     }
 }
 
@@ -138,8 +141,8 @@ fn tables_of_luding_1994_end_with_the_overlap() {
 fn double_precision_tables_go_below_single_precision() {
     let recipe =
         Recipe::standard(Law::LinearDashpot).softness_max(0.02).c_dis_max(0.2).cos_min(0.2);
-    let made = recipe.tolerance(2e-8).points(200).generate::<f64>().unwrap();
-    assert!(worst(&made.certificate.largest) < 1e-7, "{:?}", made.certificate);
+    let table = recipe.tolerance(2e-8).points(200).generate::<f64>().unwrap();
+    assert!(worst(&table.certificate.largest) < 1e-7, "{:?}", table.certificate);
 }
 
 #[test]
@@ -160,15 +163,15 @@ fn bad_recipes_name_the_field() {
         assert!(error.contains(field), "{error}");
     }
     assert!(recipe().emit("no name").unwrap_err().to_string().contains("no name"));
-    let text = recipe().number(Number::F64).points(200).emit("MINE").unwrap();
-    assert!(text.contains("pub static MINE: ::carom_tables::form::Table<f64>"));
+    let text = recipe().number_type(NumberType::F64).points(200).emit("MINE").unwrap();
+    assert!(text.contains("pub static MINE: ::carom_tables::read::Table<f64>"));
 }
 
 #[test]
 fn budgets_in_bytes_are_kept() {
-    let made = Recipe::standard(Law::LinearDashpot).bytes_max(900).points(200);
-    let made = made.generate::<f32>().unwrap();
-    assert!(made.certificate.bytes <= 900 && worst(&made.certificate.largest) < 1e-2);
+    let table = Recipe::standard(Law::LinearDashpot).bytes_max(900).points(200);
+    let table = table.generate::<f32>().unwrap();
+    assert!(table.certificate.bytes <= 900 && worst(&table.certificate.largest) < 1e-2);
 }
 
 proptest! {
@@ -177,12 +180,12 @@ proptest! {
         sin in proptest::num::f32::ANY, cos in proptest::num::f32::ANY,
         eta in proptest::num::f32::ANY, c_dis in proptest::num::f32::ANY,
     ) {
-        for made in COMPACT.iter() {
+        for table in COMPACT.iter() {
             let g = Groups { sin, cos, eta, c_dis };
-            let body = made.body();
-            prop_assert_eq!(body.read(&g).is_some(), body.domain.contains(&g));
-            let near = body.domain.clamp(&g);
-            let s = body.read(&near);
+            let data = table.data();
+            prop_assert_eq!(data.read(&g).is_some(), data.domain.contains(&g));
+            let near = data.domain.clamp(&g);
+            let s = data.read(&near);
             prop_assert!(s.is_some(), "{near:?}");
             let s = s.unwrap();
             prop_assert!(s.tau > 0.0 && s.tau.is_finite());

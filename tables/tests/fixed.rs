@@ -1,10 +1,12 @@
 //! Do fixed-point numbers count right? Compares them with whole-number and f64 references; writes nothing.
 #![cfg(feature = "fixed")]
 
-use carom_tables::form::Quanta;
-use carom_tables::number::integer::{quotient, root_of_difference};
-use carom_tables::recipe::{Number, spread::Spread};
-use carom_tables::{End, Groups, I16F16, I32F32, Law, Real, Recipe, contact::integrate};
+use carom_tables::contact::integrate;
+use carom_tables::fixed_point::integer::{quotient, root_of_difference};
+use carom_tables::fixed_point::{I16F16, I32F32};
+use carom_tables::random::Rng;
+use carom_tables::read::{End, Groups, Law, Quantised, Real};
+use carom_tables::recipe::{NumberType, Recipe};
 use proptest::prelude::*;
 
 const ULP: f64 = 1.0 / 4_294_967_296.0;
@@ -191,16 +193,16 @@ fn numbers_are_shown_as_decimals() {
 }
 
 /// Is what the table says in `S`, at the groups as `S` has them, as good as promised?
-fn holds<S: Real>(law: Law, number: Number, points: u32) {
-    let made = Recipe::compact(law).number(number).generate::<Quanta>().unwrap();
-    let promised = &made.certificate.largest;
-    let (mut spread, mut inside) = (Spread::new(0x51d), 0);
+fn holds<S: Real>(law: Law, number_type: NumberType, points: u32) {
+    let table = Recipe::compact(law).number_type(number_type).generate::<Quantised>().unwrap();
+    let promised = &table.certificate.largest;
+    let (mut rng, mut inside) = (Rng::new(0x51d), 0);
     for _ in 0..points {
-        let sin = spread.uniform();
+        let sin = rng.uniform();
         let cos = ((1.0 - sin) * (1.0 + sin)).sqrt();
-        let g = [sin, cos, 0.2 * cos * spread.uniform(), spread.uniform()].map(S::from_f64);
+        let g = [sin, cos, 0.2 * cos * rng.uniform(), rng.uniform()].map(S::from_f64);
         let [sin, cos, eta, c_dis] = g;
-        let Some(got) = made.body().read(&Groups { sin, cos, eta, c_dis }) else { continue };
+        let Some(got) = table.data().read(&Groups { sin, cos, eta, c_dis }) else { continue };
         inside += 1;
         let [sin, cos, eta, c_dis] = g.map(S::to_f64);
         let truth = integrate(law, End::Force, &Groups { sin, cos, eta, c_dis });
@@ -213,7 +215,7 @@ fn holds<S: Real>(law: Law, number: Number, points: u32) {
         for (got, want, promised) in pairs {
             assert!(
                 (got - want).abs() <= promised,
-                "{law:?} {number:?}: {got} for {want}, promised {promised:e}"
+                "{law:?} {number_type:?}: {got} for {want}, promised {promised:e}"
             );
         }
     }
@@ -223,17 +225,17 @@ fn holds<S: Real>(law: Law, number: Number, points: u32) {
 #[test]
 fn quantised_certificates_hold_at_fresh_points() {
     for law in [Law::LinearDashpot, Law::Viscoelastic] {
-        holds::<I32F32>(law, Number::I32F32, 400);
-        holds::<I16F16>(law, Number::I16F16, 400);
+        holds::<I32F32>(law, NumberType::I32F32, 400);
+        holds::<I16F16>(law, NumberType::I16F16, 400);
     }
 }
 
 #[test]
 fn a_wide_table_cannot_be_quantised() {
     let fault = Recipe::wide(Law::LinearDashpot)
-        .number(Number::I32F32)
+        .number_type(NumberType::I32F32)
         .emit("WIDE")
         .map(|_| ())
         .unwrap_err();
-    assert!(fault.to_string().contains("number is I32F32"), "{fault}");
+    assert!(fault.to_string().contains("number_type is I32F32"), "{fault}");
 }

@@ -1,6 +1,8 @@
 //! Does the contact equation give what the Cartesian two-sphere equations give? Reads the reference collisions; writes nothing.
 
-use carom_tables::{End, Groups, Law, Recipe, Scaled, contact::integrate};
+use carom_tables::contact::integrate;
+use carom_tables::read::{End, Groups, Law, ScaledRestitution};
+use carom_tables::recipe::Recipe;
 
 struct Row {
     id: String,
@@ -36,7 +38,7 @@ fn rows() -> Vec<Row> {
     lines.map(row).collect()
 }
 
-fn errors(row: &Row, s: &Scaled<f64>) -> [f64; 4] {
+fn errors(row: &Row, s: &ScaledRestitution<f64>) -> [f64; 4] {
     [
         (s.tau / row.tau - 1.0).abs(),
         (s.speed + row.rdot).abs(),
@@ -62,11 +64,11 @@ fn integrate_gives_every_reference_collision() {
 fn tables_give_every_reference_collision_within_their_certificate() {
     for law in [Law::LinearDashpot, Law::Viscoelastic] {
         for recipe in [Recipe::compact(law), Recipe::standard(law)] {
-            let made = recipe.points(2_000).generate::<f32>().unwrap();
-            let c = &made.certificate;
+            let table = recipe.points(2_000).generate::<f32>().unwrap();
+            let c = &table.certificate;
             let mut inside = 0;
             for row in rows().iter().filter(|row| row.law == law) {
-                let Some(s) = made.body().read(&row.groups) else { continue };
+                let Some(s) = table.data().read(&row.groups) else { continue };
                 inside += 1;
                 let promised =
                     [c.largest.tau, c.largest.speed, c.largest.angle, c.largest.separation];

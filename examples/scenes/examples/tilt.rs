@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use carom::Error;
-use carom::law::embedded::{Embedded, Table};
+use carom::law::embedded::{Embedded, read::Table};
 use carom::scalar::I32F32;
 use carom_scenes::Number;
 use carom_scenes::tilt::{self, Board};

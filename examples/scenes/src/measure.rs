@@ -1,6 +1,6 @@
 //! How many instructions does the tilt box take? Reads a board's counter; writes what each method took.
 
-use carom::law::embedded::{Groups, Table};
+use carom::law::embedded::read::{Groups, Table};
 use carom::{Error, Grain, Storage};
 
 use crate::scene::{Number, n};

@@ -1,6 +1,6 @@
 //! Which scenes are replayed? Reads nothing; writes a world into lent memory.
 
-use carom::law::embedded::{self, Embedded, Table};
+use carom::law::embedded::{self, Embedded, read::Table};
 use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic};
 use carom::scalar::I32F32;
 use carom::space::{Plane, Surface, Vibration};

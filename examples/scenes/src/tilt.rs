@@ -1,6 +1,6 @@
 //! What is in the tilt box? 32 glass beads of different size under a turning gravity; reads a script, writes frames to a board.
 
-use carom::law::embedded::Table;
+use carom::law::embedded::read::Table;
 use carom::law::{Outside, Rule, Soft, Viscoelastic};
 use carom::{Error, Grain, Instant, Memory, Scalar, Storage, World};
 

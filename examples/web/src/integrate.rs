@@ -1,6 +1,6 @@
 //! How does one contact go, step by step? Reads law and scaled groups; writes the matrix of restitution to about 1e-9.
 
-use carom::law::tables::{Groups, Scaled};
+use carom::law::tables::read::{Groups, ScaledRestitution};
 
 /// Steps for a time of π T, about one contact.
 const STEPS: f64 = 2000.0;
@@ -46,7 +46,7 @@ impl Contact {
 /// bisection in the last one.
 ///
 /// Two grains that would pass through each other's centre (l̃ cos α < 1) are beyond it.
-pub fn contact(linear: bool, groups: &Groups<f64>) -> Scaled<f64> {
+pub fn contact(linear: bool, groups: &Groups<f64>) -> ScaledRestitution<f64> {
     let tan = groups.sin / groups.cos;
     let contact =
         Contact { linear, kappa: tan * tan * groups.eta, eta: groups.eta, c_dis: groups.c_dis };
@@ -66,7 +66,7 @@ pub fn contact(linear: bool, groups: &Groups<f64>) -> Scaled<f64> {
         (low, high) = if over { (low, middle) } else { (middle, high) };
     }
     let [_, v, sweep] = contact.step(state, high);
-    Scaled {
+    ScaledRestitution {
         tau: tau + high,
         speed: -v,
         angle: tan * groups.eta * sweep,

@@ -2,7 +2,7 @@
 
 use crate::integrate;
 use carom::law::force::ForceLaw;
-use carom::law::tables::Law;
+use carom::law::tables::read::Law;
 use carom::law::{
     Answer, Central, Encounter, HardSphere, LinearDashpot, Outside, Response, Rule, Soft,
     Viscoelastic,
@@ -57,7 +57,7 @@ impl Chosen {
     fn soft<L: ForceLaw<f64> + Copy>(
         &self,
         law: L,
-        table: &'static law::tables::Table<law::tables::Stored>,
+        table: &'static law::tables::read::Table<law::tables::Stored>,
         encounter: &Encounter<f64>,
     ) -> Answer<f64> {
         let table = Soft::with_table(law, table, self.outside.unwrap_or(Outside::Reject));

@@ -4,14 +4,15 @@ pub mod case;
 
 use crate::scale::Impact;
 use anyhow::Result;
-use carom_tables::{End, Groups, Law, Scaled, contact};
+use carom_tables::contact;
+use carom_tables::read::{End, Groups, Law, ScaledRestitution};
 use case::Case;
 use std::io::Write;
 
 /// Where the matrix of restitution comes from.
 pub trait Restitution {
     /// The scaled coefficients, or nothing outside the range of validity.
-    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<Scaled<f64>>;
+    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<ScaledRestitution<f64>>;
 
     /// The nearest groups inside the range of validity.
     fn clamp(&self, law: Law, groups: &Groups<f64>) -> Groups<f64>;
@@ -25,7 +26,7 @@ pub struct Integrated(
 );
 
 impl Restitution for Integrated {
-    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<Scaled<f64>> {
+    fn restitution(&self, law: Law, groups: &Groups<f64>) -> Option<ScaledRestitution<f64>> {
         Some(contact::integrate(law, self.0, groups))
     }
 
@@ -73,7 +74,7 @@ pub fn solve(source: &dyn Restitution, case: &Case, end: End, clamp: bool) -> Ou
     Outcome { answer: if clamp { nearest() } else { None }, inside: false }
 }
 
-fn answer(impact: &Impact, scaled: &Scaled<f64>, end: End) -> Answer {
+fn answer(impact: &Impact, scaled: &ScaledRestitution<f64>, end: End) -> Answer {
     Answer {
         tau: scaled.tau * impact.time,
         eps_t: scaled.tau,

@@ -3,7 +3,7 @@
 use crate::collide::{self, Integrated, Restitution, case};
 use crate::tables::{Embedded, Generated, Size};
 use anyhow::{Context, Result};
-use carom_tables::{End, Law};
+use carom_tables::read::{End, Law};
 use clap::{Args, ValueEnum};
 use std::fs::File;
 use std::io::{BufWriter, Write};

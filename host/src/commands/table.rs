@@ -5,7 +5,7 @@ use crate::plot::{self, Scene};
 use crate::report::write_aligned;
 use crate::tables::{Size, embedded};
 use anyhow::Result;
-use carom_tables::{Certificate, End, Law, Scaled};
+use carom_tables::read::{Certificate, End, Law, ScaledRestitution};
 use clap::Args;
 use serde::Serialize;
 use std::io::{BufWriter, Write};
@@ -97,8 +97,8 @@ struct Errors {
 }
 
 impl Errors {
-    const fn new(scaled: &Scaled<f64>) -> Self {
-        let Scaled { tau, speed, angle, separation } = *scaled;
+    const fn new(scaled: &ScaledRestitution<f64>) -> Self {
+        let ScaledRestitution { tau, speed, angle, separation } = *scaled;
         Self { eps_t: tau, eps_rdot: speed, eps_r: separation, eps_phi: angle }
     }
 
@@ -122,7 +122,7 @@ fn certificate(size: Size, law: &'static str, c: &Certificate) -> Certified {
         law,
         end: match c.end {
             End::Force => "force",
-            End::Overlap => "overlap",
+            _ => "overlap",
         },
         bytes: c.bytes,
         terms: c.terms,
@@ -131,10 +131,10 @@ fn certificate(size: Size, law: &'static str, c: &Certificate) -> Certified {
             c_dis_max: c.domain.c_dis_max,
             eccentricity_max: ((1.0 - cos) * (1.0 + cos)).sqrt(),
             eccentricity_min: c.domain.sin_min,
-            stick_max: c.domain.stick_max,
+            stick_max: c.domain.c_dis_softness_max,
         },
         largest: Errors::new(&c.largest),
-        usual: Errors::new(&c.usual),
+        usual: Errors::new(&c.quantile_999),
         points: c.points,
         margin: c.margin,
         digest: format!("{:016x}", c.digest),

@@ -6,7 +6,7 @@ use crate::scenario::{LawSpec, MatrixSpec, MethodName, OutsideSpec, Scenario};
 use crate::tables::embedded;
 use anyhow::{Result, bail};
 use carom::law::{Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
-use carom_tables::Law;
+use carom_tables::read::Law;
 
 /// The collision rule of an event-driven method.
 ///

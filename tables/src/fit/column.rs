@@ -1,7 +1,6 @@
 //! Which Chebyshev coefficients does a box need? Reads values at its nodes; writes row lengths and coefficients.
 
-use super::Fit;
-use crate::form::{Leaf, MAX_TERMS, Row};
+use crate::read::layout::MAX_TERMS;
 
 /// One column of one box: all coefficients, and the length of every row that is kept.
 pub(crate) struct Column {
@@ -93,30 +92,4 @@ fn line(values: &mut [f64], start: usize, stride: usize, n: usize, cosines: &[f6
         }
         values[start + k * stride] = sum * if k == 0 { 1.0 } else { 2.0 } / n as f64;
     }
-}
-
-/// Appends the rows and coefficients of one leaf.
-pub(super) fn store(columns: &[Column; 3], direct: bool, fit: &mut Fit) -> Leaf {
-    let mut leaf = Leaf {
-        row: fit.rows.len() as u32,
-        coefficient: fit.coefficients.len() as u32,
-        rows: [0; 3],
-        terms: [2; 3],
-        direct,
-    };
-    for (column, count) in columns.iter().zip(0..3) {
-        for (at, &terms) in column.lengths.iter().enumerate() {
-            if terms == 0 {
-                continue;
-            }
-            let (i, j) = (at / column.n[1], at % column.n[1]);
-            fit.rows.push(Row { orders: (16 * i + j) as u8, terms: terms as u8 });
-            fit.coefficients.extend(&column.all[at * column.n[2]..][..terms]);
-            leaf.rows[count] += 1;
-            for (most, terms) in leaf.terms.iter_mut().zip([i + 1, j + 1, terms]) {
-                *most = (*most).max(terms as u8);
-            }
-        }
-    }
-    leaf
 }

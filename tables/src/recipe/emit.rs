@@ -1,13 +1,14 @@
-//! How does a table become Rust text? Reads what was made; writes text, and a file that is whole or not there.
+//! How does a table become Rust text? Reads a generated table; writes text, and a file that is complete or not there.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
 use super::error::Error;
-use super::made::{Made, Store};
-use crate::form::Scaled;
+use super::generated::GeneratedTable;
+use super::number_type::EncodeNumber;
+use crate::read::groups::ScaledRestitution;
 
-/// Can this be the name of a static?
+/// Whether this can be the name of a static.
 pub(super) fn is_name(name: &str) -> bool {
     let mut letters = name.chars();
     letters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_')
@@ -16,40 +17,40 @@ pub(super) fn is_name(name: &str) -> bool {
 }
 
 /// `pub static NAME: Table<f32> = ...;`
-pub(super) fn text<C: Store>(made: &Made<C>, name: &str, form: &str) -> String {
+pub(super) fn text<C: EncodeNumber>(table: &GeneratedTable<C>, name: &str, reader: &str) -> String {
     let mut out = String::new();
-    let c = &made.certificate;
+    let c = &table.certificate;
     let _ = writeln!(
         out,
         "/// Restitution of the law {:?} until {:?} ends the contact: {} bytes, largest error of tau {:e}.\n\
-         pub static {name}: {form}::Table<{}> = {form}::Table {{",
+         pub static {name}: {reader}::Table<{}> = {reader}::Table {{",
         c.law,
         c.end,
         c.bytes,
         c.largest.tau,
-        if C::NAME == "Quanta" { format!("{form}::Quanta") } else { C::NAME.into() }
+        if C::NAME == "Quantised" { format!("{reader}::Quantised") } else { C::NAME.into() }
     );
-    certificate(&mut out, made, form);
-    body(&mut out, made, form);
+    certificate(&mut out, table, reader);
+    data(&mut out, table, reader);
     out.push_str("};\n");
     out
 }
 
-fn certificate<C: Store>(out: &mut String, made: &Made<C>, form: &str) {
-    let c = &made.certificate;
+fn certificate<C: EncodeNumber>(out: &mut String, table: &GeneratedTable<C>, reader: &str) {
+    let c = &table.certificate;
     let _ = writeln!(
         out,
-        "certificate: {form}::Certificate {{ law: {form}::Law::{:?}, end: {form}::End::{:?}, \
-         domain: {form}::{:?}, bytes: {}, terms: {}, largest: {}, typical: {}, usual: {}, points: {}, \
+        "certificate: {reader}::Certificate {{ law: {reader}::Law::{:?}, end: {reader}::End::{:?}, \
+         domain: {reader}::{:?}, bytes: {}, terms: {}, largest: {}, typical: {}, quantile_999: {}, points: {}, \
          margin: {:?}, digest: {:#018x}, citation: {:?} }},",
         c.law,
         c.end,
         c.domain,
         c.bytes,
         c.terms,
-        scaled(&c.largest, form),
-        scaled(&c.typical, form),
-        scaled(&c.usual, form),
+        restitution(&c.largest, reader),
+        restitution(&c.typical, reader),
+        restitution(&c.quantile_999, reader),
         c.points,
         c.margin,
         c.digest,
@@ -57,28 +58,28 @@ fn certificate<C: Store>(out: &mut String, made: &Made<C>, form: &str) {
     );
 }
 
-fn scaled(s: &Scaled<f64>, form: &str) -> String {
-    format!("{form}::{s:?}")
+fn restitution(s: &ScaledRestitution<f64>, reader: &str) -> String {
+    format!("{reader}::{s:?}")
 }
 
-fn body<C: Store>(out: &mut String, made: &Made<C>, form: &str) {
-    let b = made.body();
-    let f = &b.frame;
+fn data<C: EncodeNumber>(out: &mut String, table: &GeneratedTable<C>, reader: &str) {
+    let b = table.data();
+    let m = &b.coordinates;
     let _ = writeln!(
         out,
-        "body: {form}::Body {{\ndomain: {form}::{:?},\n\
-         frame: {form}::Frame {{ law: {form}::Law::{:?}, end: {form}::End::{:?}, wide: {}, kappa_scale: {:?}, \
-         softness: {:?}, c_dis: {:?}, bend: {:?} }},",
-        b.domain, f.law, f.end, f.wide, f.kappa_scale, f.softness, f.c_dis, f.bend,
+        "data: {reader}::TableData {{\ndomain: {reader}::{:?},\n\
+         coordinates: {reader}::CoordinateMap {{ law: {reader}::Law::{:?}, end: {reader}::End::{:?}, wide: {}, kappa_scale: {:?}, \
+         softness_max: {:?}, c_dis_max: {:?}, coupling: {:?} }},",
+        b.domain, m.law, m.end, m.wide, m.kappa_scale, m.softness_max, m.c_dis_max, m.coupling,
     );
-    if C::NAME == "Quanta" {
-        *out = out.replace(" Quanta(", &format!(" {form}::Quanta("));
+    if C::NAME == "Quantised" {
+        *out = out.replace(" Quantised(", &format!(" {reader}::Quantised("));
     }
     let coefficients =
-        format!("{:?}", b.coefficients).replace("Quanta(", &format!("{form}::Quanta("));
-    let branches: Vec<String> = b.branches.iter().map(|b| format!("{form}::{b:?}")).collect();
-    let leaves: Vec<String> = b.leaves.iter().map(|l| format!("{form}::{l:?}")).collect();
-    let rows: Vec<String> = b.rows.iter().map(|r| format!("{form}::{r:?}")).collect();
+        format!("{:?}", b.coefficients).replace("Quantised(", &format!("{reader}::Quantised("));
+    let branches: Vec<String> = b.branches.iter().map(|b| format!("{reader}::{b:?}")).collect();
+    let leaves: Vec<String> = b.leaves.iter().map(|l| format!("{reader}::{l:?}")).collect();
+    let rows: Vec<String> = b.rows.iter().map(|r| format!("{reader}::{r:?}")).collect();
     let _ = writeln!(
         out,
         "branches: &[{}],\nleaves: &[{}],\nrows: &[{}],\ncoefficients: &{},\n}},",

@@ -2,7 +2,7 @@
 
 use super::draw::Draw;
 use carom::Scalar;
-use carom::law::tables::{Stored, Table, compact, standard, wide};
+use carom::law::tables::{Stored, compact, read::Table, standard, wide};
 use carom::law::{
     ByMaterial, Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic,
 };

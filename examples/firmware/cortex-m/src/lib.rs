@@ -9,7 +9,7 @@ pub mod replay;
 pub mod stack;
 
 use carom::Instant;
-use carom::law::tables::{Embedded, Table};
+use carom::law::tables::{Embedded, read::Table};
 use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
 use cortex_m::peripheral::syst::SystClkSource;

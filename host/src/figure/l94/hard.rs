@@ -9,7 +9,7 @@ use carom::event::Counters;
 use carom::law::{HardSphere, LinearDashpot, Rule};
 use carom::matter::{Plane, Surface};
 use carom::{Fault, Grain, World};
-use carom_tables::End;
+use carom_tables::read::End;
 
 /// More events than a column on a plate should need, in all and for each sample.
 const MOST_EVENTS: [u64; 2] = [2_000_000, 2_000];

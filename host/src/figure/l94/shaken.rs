@@ -117,7 +117,7 @@ impl Shaken {
     pub fn by_star(&self, times: &[f64]) -> Result<(Vec<Vec<f64>>, Counters)> {
         let law = hard::dashpot(&self.law()?)?;
         let mut storage = Storage::<f64, 1>::new(self.beads);
-        let rule = Integrated::new(law).ending(carom_tables::End::Overlap);
+        let rule = Integrated::new(law).ending(carom_tables::read::End::Overlap);
         let world = self.on(World::setup(&mut storage).rule(rule), Surface::Rule)?;
         hard::counted(world, times)
     }

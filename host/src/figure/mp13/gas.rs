@@ -6,7 +6,7 @@ use crate::tables::{Size, embedded};
 use anyhow::{Context, Result};
 use carom::law::{Outside, Soft, Viscoelastic};
 use carom::{Counters, Grain, World};
-use carom_tables::Law;
+use carom_tables::read::Law;
 use std::f64::consts::{PI, SQRT_2};
 
 /// R.

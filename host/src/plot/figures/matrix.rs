@@ -7,7 +7,8 @@ use crate::plot::heat::{Field, colour_bar};
 use crate::plot::scene::{Rect, Scene};
 use crate::plot::text::{Align, Style};
 use crate::plot::{Axis, Panel};
-use carom_tables::{End, Groups, Law, Scaled, contact};
+use carom_tables::contact;
+use carom_tables::read::{End, Groups, Law, ScaledRestitution};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use tiny_skia::PathBuilder;
@@ -65,7 +66,7 @@ fn blank_outside(scene: &mut Scene, panel: &Panel, space: &Space) {
 pub fn coefficients(law: Law) -> Scene {
     let (space, rows, name): (_, [f64; 5], _) = match law {
         Law::LinearDashpot => (Space::linear(), [-4.0, -1.0, 0.0, 1.0, 3.0], "ln *c*_{dis}"),
-        Law::Viscoelastic => {
+        _ => {
             let name = "ln *c*_{dis}/*c*_{dis}^{min}";
             (Space::viscoelastic(), [4.0, 8.0, 12.0, 16.0, 20.0], name)
         }
@@ -108,12 +109,12 @@ struct Coefficient {
     /// The limits, where the values themselves shall not set them.
     low: Option<f64>,
     high: Option<f64>,
-    value: fn(&Scaled<f64>) -> f64,
+    value: fn(&ScaledRestitution<f64>) -> f64,
 }
 
 impl Coefficient {
     /// From the smallest to the largest value, rounded outwards to tenths.
-    fn range<'a>(&self, answers: impl Iterator<Item = &'a Scaled<f64>>) -> [f64; 2] {
+    fn range<'a>(&self, answers: impl Iterator<Item = &'a ScaledRestitution<f64>>) -> [f64; 2] {
         let all = answers.map(self.value);
         let (low, high) = all
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
@@ -137,7 +138,7 @@ fn spread(k: usize, count: usize, [low, high]: [f64; 2]) -> f64 {
     low + (high - low) * (k as f64 + 0.5) / count as f64
 }
 
-fn sample(space: &Space, damping: f64) -> Vec<Scaled<f64>> {
+fn sample(space: &Space, damping: f64) -> Vec<ScaledRestitution<f64>> {
     (0..COLUMNS * ROWS)
         .into_par_iter()
         .map(|k| {

@@ -1,6 +1,6 @@
 //! Which scaled groups belong to MP13's Tables I and II? Reads the tables' ranges; writes nothing, returns groups.
 
-use carom_tables::{Groups, Law};
+use carom_tables::read::{Groups, Law};
 use std::f64::consts::PI;
 
 /// The smallest and largest eccentricity of both tables.
@@ -71,7 +71,7 @@ impl Space {
         let ln_l = |part: f64| w + self.m[0] + 2.0 * part * half;
         let (ln_l, ln_c) = match self.law {
             Law::LinearDashpot => (ln_l(0.5), damping),
-            Law::Viscoelastic => {
+            _ => {
                 let ln_l = ln_l(0.4);
                 (ln_l, damping + c_min() + ln_l - half)
             }

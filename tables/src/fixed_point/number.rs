@@ -1,4 +1,4 @@
-//! How do fixed-point numbers count? `I32F32` and `I16F16` with a not-a-number; reads and writes bits, no float is used.
+//! How do fixed-point numbers calculate? `I32F32` and `I16F16`, with overflow to not-a-number; reads and writes bits, no float is used.
 //!
 //! The formats are those of the package `fixed`; what is added is that nothing ever wraps or saturates:
 //! one pattern of bits, the least, is *not a number*. Every overflow, division by zero and root of a
@@ -9,13 +9,13 @@
 //! divided and rooted before anything is rounded.
 
 use core::cmp::Ordering;
-use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::{Product, integer};
+use super::integer;
+use super::product::Product;
 
 macro_rules! fixed {
-    ($name:ident, $word:ident, $wide:ident, $fraction:literal, $plain:path, $about:literal) => {
+    ($name:ident, $word:ident, $wide:ident, $fraction:literal, $about:literal) => {
         #[doc = $about]
         ///
         /// Sums and differences are exact; products, quotients and square roots are the nearest value
@@ -28,28 +28,28 @@ macro_rules! fixed {
         impl $name {
             /// Bits after the point.
             pub const FRACTION: u32 = $fraction;
-            /// What overflow gives.
+            /// Not-a-number: the result of overflow, of division by zero and of the root of a negative number.
             pub const NAN: Self = Self($word::MIN);
             /// The largest number.
             pub const MAX: Self = Self($word::MAX);
-            /// The distance between neighbouring numbers, 2^−FRACTION.
+            /// The distance between neighbouring numbers, 2^−FRACTION, as in the package `fixed`.
             pub const DELTA: Self = Self(1);
             /// One.
-            pub const ONE: Self = Self(1 << $fraction);
+            pub(super) const ONE: Self = Self(1 << $fraction);
 
-            /// The number of so many steps of 2^−FRACTION.
+            /// The number with this many steps of 2^−FRACTION.
             #[must_use]
             pub const fn from_bits(bits: $word) -> Self {
                 Self(bits)
             }
 
-            /// How many steps of 2^−FRACTION it is.
+            /// The number of steps of 2^−FRACTION.
             #[must_use]
             pub const fn to_bits(self) -> $word {
                 self.0
             }
 
-            /// Whether it is a number.
+            /// Whether it is a number, that is, not [`NAN`](Self::NAN).
             #[must_use]
             pub const fn is_number(self) -> bool {
                 self.0 != $word::MIN
@@ -62,13 +62,13 @@ macro_rules! fixed {
                 }
             }
 
-            /// The number of so many steps; not-a-number if there are too many.
+            /// The number with this many steps; not-a-number for `None` or if there are too many.
             #[must_use]
             pub fn from_wide(bits: Option<i64>) -> Self {
                 Self::or_nan(bits.and_then(|bits| $word::try_from(bits).ok()))
             }
 
-            /// The exact product.
+            /// The exact product, before it is rounded.
             #[inline]
             #[must_use]
             pub fn times(self, other: Self) -> Product<$wide> {
@@ -85,7 +85,7 @@ macro_rules! fixed {
                 if !self.is_number() {
                     return (Self::NAN, Self::NAN);
                 }
-                let (sine, cosine) = integer::sine_cosine(self.0.into(), $fraction);
+                let (sine, cosine) = integer::sin_cos(self.0.into(), $fraction);
                 (Self(sine as $word), Self(cosine as $word))
             }
 
@@ -106,7 +106,7 @@ macro_rules! fixed {
                 }
                 // With 2 FRACTION bits after the point the quotient fits into 4 FRACTION bits.
                 let n = u128::from(self.0.unsigned_abs()) << (2 * $fraction);
-                let root = integer::root(n / u128::from(other.0.unsigned_abs()));
+                let root = integer::rounded_sqrt(n / u128::from(other.0.unsigned_abs()));
                 Self::from_wide(i64::try_from(root).ok())
             }
 
@@ -116,7 +116,7 @@ macro_rules! fixed {
                 if self.is_number() { Self(self.0 >> $fraction << $fraction) } else { self }
             }
 
-            /// A whole number.
+            /// The whole number `whole`; not-a-number if it is too large.
             #[must_use]
             pub fn from_whole(whole: u32) -> Self {
                 Self::from_wide(Some(i64::from(whole) << $fraction))
@@ -126,6 +126,41 @@ macro_rules! fixed {
             #[must_use]
             pub fn to_whole(self) -> u32 {
                 (self.0.max(0) >> $fraction) as u32
+            }
+        }
+
+        impl Product<$wide> {
+            /// The nearest number; not-a-number if it is too large.
+            #[inline]
+            #[must_use]
+            pub fn rounded(self) -> $name {
+                if !self.is_number() {
+                    return $name::NAN;
+                }
+                // Halves away from zero: negation and rounding can be swapped.
+                let half = (1 << ($fraction - 1)) + (self.0 >> ($wide::BITS - 1));
+                $name::or_nan(
+                    self.0.checked_add(half).and_then(|p| $word::try_from(p >> $fraction).ok()),
+                )
+            }
+
+            /// The number nearest to the square root; not-a-number below zero.
+            #[must_use]
+            pub fn root(self) -> $name {
+                let Ok(bits) = u128::try_from(self.0) else { return $name::NAN };
+                $name::from_wide(i64::try_from(integer::rounded_sqrt(bits)).ok())
+            }
+
+            /// Divided by a number, rounded once. What is not zero does not become zero: spheres that
+            /// approach, however slowly, approach at some speed.
+            #[must_use]
+            pub fn over(self, divisor: $name) -> $name {
+                if !(self.is_number() && divisor.is_number()) {
+                    return $name::NAN;
+                }
+                let (n, d) = (i128::from(self.0).unsigned_abs(), divisor.0.unsigned_abs());
+                let q = integer::quotient(n, d.into(), 0).map(|q| q.max(i64::from(n != 0)));
+                $name::from_wide(if (self.0 < 0) == (divisor.0 < 0) { q } else { q.map(|q| -q) })
             }
         }
 
@@ -217,50 +252,6 @@ macro_rules! fixed {
                 (self.is_number() && other.is_number()).then(|| self.0.cmp(&other.0))
             }
         }
-
-        impl num_traits::Zero for $name {
-            fn zero() -> Self {
-                Self(0)
-            }
-            fn is_zero(&self) -> bool {
-                self.0 == 0
-            }
-        }
-
-        impl num_traits::One for $name {
-            fn one() -> Self {
-                Self::ONE
-            }
-        }
-
-        impl From<$plain> for $name {
-            /// The same number; the least one of the package's has no place here.
-            fn from(plain: $plain) -> Self {
-                Self(plain.to_bits())
-            }
-        }
-
-        impl From<$name> for Option<$plain> {
-            /// The same number, unless it is none.
-            fn from(number: $name) -> Self {
-                number.is_number().then(|| <$plain>::from_bits(number.0))
-            }
-        }
-
-        impl fmt::Display for $name {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                match Option::<$plain>::from(*self) {
-                    Some(plain) => plain.fmt(f),
-                    None => f.pad("NaN"),
-                }
-            }
-        }
-
-        impl fmt::Debug for $name {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                fmt::Display::fmt(self, f)
-            }
-        }
     };
 }
 
@@ -269,7 +260,6 @@ fixed!(
     i64,
     i128,
     32,
-    ::fixed::types::I32F32,
     "A signed fixed-point number with 32 bits before and 32 after the point: ±2.1·10⁹ in steps of 2.3·10⁻¹⁰."
 );
 fixed!(
@@ -277,6 +267,5 @@ fixed!(
     i32,
     i64,
     16,
-    ::fixed::types::I16F16,
     "A signed fixed-point number with 16 bits before and 16 after the point: ±32767 in steps of 1.5·10⁻⁵."
 );

@@ -1,9 +1,11 @@
-//! How do fixed-point numbers read a table? The operations of [`Real`]; floats are taken apart as bits.
+//! How do fixed-point numbers read a table? Implements [`Real`] for them; reads floats as bits, writes fixed-point numbers.
 
-use super::{I16F16, I32F32, Real, integer};
+use super::integer;
+use super::number::{I16F16, I32F32};
+use crate::read::real::Real;
 
 macro_rules! real {
-    ($name:ident, $precise:ident, $precise_of:expr, $rounded:expr, $quanta:expr) => {
+    ($name:ident, $precise:ident, $to_precise:expr, $from_precise:expr, $from_steps:expr) => {
         impl Real for $name {
             type Precise = $precise;
 
@@ -27,40 +29,40 @@ macro_rules! real {
                 f64::from_bits(integer::to_float(self.0.into(), Self::FRACTION))
             }
             #[inline]
-            fn from_quanta(quanta: i32) -> Self {
-                $quanta(quanta)
+            fn from_quantised(steps: i32) -> Self {
+                $from_steps(steps)
             }
             fn sqrt(self) -> Self {
                 if self.0 < 0 {
                     return Self::NAN;
                 }
                 let bits = u128::from(self.0.unsigned_abs()) << Self::FRACTION;
-                Self::from_wide(i64::try_from(integer::root(bits)).ok())
+                Self::from_wide(i64::try_from(integer::rounded_sqrt(bits)).ok())
             }
             fn cbrt(self) -> Self {
                 if self.0 < 0 {
                     return Self::NAN;
                 }
                 let bits = u128::from(self.0.unsigned_abs()) << (2 * Self::FRACTION);
-                Self::from_wide(Some(integer::cube_root(bits)))
+                Self::from_wide(Some(integer::rounded_cbrt(bits)))
             }
             fn ln_1p(self) -> Self {
                 if self.0 < 0 {
                     return Self::NAN;
                 }
-                Self::from_wide(Some(integer::logarithm(self.0.into(), Self::FRACTION)))
+                Self::from_wide(Some(integer::ln_1p(self.0.into(), Self::FRACTION)))
             }
             /// The square of a large tangent does not fit; this order does.
-            fn push(tangent: Self, eta: Self) -> Self {
+            fn kappa(tangent: Self, eta: Self) -> Self {
                 tangent * (tangent * eta)
             }
             #[inline]
-            fn precise(self) -> $precise {
-                $precise_of(self)
+            fn to_precise(self) -> $precise {
+                $to_precise(self)
             }
             #[inline]
-            fn rounded(precise: $precise) -> Self {
-                $rounded(precise)
+            fn from_precise(precise: $precise) -> Self {
+                $from_precise(precise)
             }
         }
     };

@@ -1,13 +1,13 @@
-//! What are root, quotient, sine and power of whole numbers? Reads bits and a scale; writes bits, no float is used.
+//! What are square root, quotient, sine and logarithm of integers? Reads bits and the number of fraction bits; writes bits, no float is used.
 //!
 //! Every function says how far its answer is from the exact one, in units of the last place (ulp).
 
 /// 1.0 with 62 bits after the point, the inner format of the transcendental functions.
 const ONE: i64 = 1 << 62;
 /// π/2 with 94 bits after the point: 2⁻⁹⁵ · 2³¹ quarter turns stay below 2⁻⁶⁴.
-const QUARTER_TURN: i128 = 0x6487_ed51_10b4_611a_6263_3146;
+const HALF_PI: i128 = 0x6487_ed51_10b4_611a_6263_3146;
 /// 2/π and ln 2 with 62 bits.
-const TURN_OVER: i128 = 0x28be_60db_9391_054a;
+const TWO_OVER_PI: i128 = 0x28be_60db_9391_054a;
 const LN_2: i128 = 0x2c5c_85fd_f473_de6b;
 /// 2^(−1/10), 2^(−3/10), … 2^(−9/10) with 62 bits.
 const TENTHS: [i64; 5] = [
@@ -23,9 +23,9 @@ const SINE: [i64; 8] = inverses(2);
 const COSINE: [i64; 8] = inverses(1);
 
 /// ⌊√n⌋, digit by digit.
-pub fn floor_root(n: u128) -> u64 {
+pub(super) fn isqrt(n: u128) -> u64 {
     if let Ok(short) = u64::try_from(n) {
-        return u64::from(short_root(short));
+        return u64::from(isqrt_u64(short));
     }
     let (mut rest, mut root) = (n, 0_u128);
     let mut bit = 1_u128 << ((127 - n.leading_zeros()) & !1);
@@ -42,7 +42,7 @@ pub fn floor_root(n: u128) -> u64 {
 }
 
 /// ⌊√n⌋ of 64 bits.
-fn short_root(n: u64) -> u32 {
+fn isqrt_u64(n: u64) -> u32 {
     let (mut rest, mut root) = (n, 0_u64);
     let mut bit = 1_u64 << ((63 - (n | 1).leading_zeros()) & !1);
     while bit != 0 {
@@ -58,8 +58,8 @@ fn short_root(n: u64) -> u32 {
 }
 
 /// √n to the nearest whole number.
-pub fn root(n: u128) -> u64 {
-    let floor = floor_root(n);
+pub(super) fn rounded_sqrt(n: u128) -> u64 {
+    let floor = isqrt(n);
     // (floor + 1/2)² lies between floor² + floor and the next whole number.
     let up = n - u128::from(floor) * u128::from(floor) > u128::from(floor);
     floor.saturating_add(u64::from(up))
@@ -71,7 +71,7 @@ pub fn quotient(n: u128, d: u128, shift: u32) -> Option<i64> {
         return None;
     }
     let free = n.leading_zeros().min(shift);
-    let (mut q, mut rest) = divide(n << free, d);
+    let (mut q, mut rest) = div_rem(n << free, d);
     for _ in free..shift {
         if q >> 63 != 0 {
             return None;
@@ -84,7 +84,7 @@ pub fn quotient(n: u128, d: u128, shift: u32) -> Option<i64> {
     i64::try_from(q + u128::from(rest >= d - rest)).ok()
 }
 
-fn divide(n: u128, d: u128) -> (u128, u128) {
+fn div_rem(n: u128, d: u128) -> (u128, u128) {
     if let (Ok(n), Ok(d)) = (u64::try_from(n), u64::try_from(d)) {
         return (u128::from(n / d), u128::from(n % d));
     }
@@ -92,7 +92,7 @@ fn divide(n: u128, d: u128) -> (u128, u128) {
 }
 
 /// A product of 256 bits: high and low half.
-fn multiply(a: u128, b: u128) -> (u128, u128) {
+fn widening_mul(a: u128, b: u128) -> (u128, u128) {
     let low = |x: u128| x & u128::from(u64::MAX);
     let (a1, a0, b1, b0) = (a >> 64, low(a), b >> 64, low(b));
     let lowest = a0 * b0;
@@ -110,26 +110,26 @@ pub fn root_of_difference(b: u128, a: u128, c: u128) -> Option<u128> {
     if 2 * bits(b) + 2 <= bits(a) + bits(c) {
         return None;
     }
-    let ((high, low), (high_ac, low_ac)) = (multiply(b, b), multiply(a, c));
+    let ((high, low), (high_ac, low_ac)) = (widening_mul(b, b), widening_mul(a, c));
     if (high, low) <= (high_ac, low_ac) {
         return None;
     }
     let (low, borrow) = low.overflowing_sub(low_ac);
     let high = high - high_ac - u128::from(borrow);
     if high == 0 {
-        return Some(precise_root(low));
+        return Some(rounded_sqrt_u128(low));
     }
     let half = (129 - high.leading_zeros()) / 2;
     if half == 64 {
-        return Some(u128::from(floor_root(high)) << 64);
+        return Some(u128::from(isqrt(high)) << 64);
     }
     let top = (high << (128 - 2 * half)) | (low >> (2 * half));
-    Some(u128::from(floor_root(top)) << half)
+    Some(u128::from(isqrt(top)) << half)
 }
 
 /// √n of 128 bits, to the nearest whole number.
-fn precise_root(n: u128) -> u128 {
-    u128::from(root(n))
+fn rounded_sqrt_u128(n: u128) -> u128 {
+    u128::from(rounded_sqrt(n))
 }
 
 /// a b of two numbers with 62 bits after the point.
@@ -157,10 +157,10 @@ fn series(s: i64, factors: &[i64; 8]) -> i64 {
 /// Sine and cosine of x (in radians, `fraction` bits after the point), in the same steps.
 ///
 /// Within 0.5 ulp + 2⁻⁵⁶, that is, the nearest value except where two are equally near to 2⁻⁵⁶.
-pub fn sine_cosine(x: i64, fraction: u32) -> (i64, i64) {
+pub(super) fn sin_cos(x: i64, fraction: u32) -> (i64, i64) {
     let wide = i128::from(x) << (94 - fraction);
-    let turns = (((i128::from(x) * TURN_OVER) >> (61 + fraction)) + 1) >> 1;
-    let r = ((wide - turns * QUARTER_TURN) >> 32) as i64;
+    let turns = (((i128::from(x) * TWO_OVER_PI) >> (61 + fraction)) + 1) >> 1;
+    let r = ((wide - turns * HALF_PI) >> 32) as i64;
     let s = times(r, r);
     let (sine, cosine) = (times(series(s, &SINE), r), series(s, &COSINE));
     let [sine, cosine] = [sine, cosine].map(|y| (y + (1 << (61 - fraction))) >> (62 - fraction));
@@ -175,7 +175,7 @@ pub fn sine_cosine(x: i64, fraction: u32) -> (i64, i64) {
 /// (x₁ x₂ …)^(−1/5) of numbers above zero with `fraction` bits after the point, in the same steps.
 ///
 /// The product has 62 bits however large or small it is. Within 0.51 ulp; none if it does not fit.
-pub fn inverse_fifth_root(factors: &[i64], fraction: u32) -> Option<i64> {
+pub(super) fn inverse_fifth_root(factors: &[i64], fraction: u32) -> Option<i64> {
     // The product is m 2^power with m in [1, 2).
     let (mut m, mut power) = (ONE, 0_i32);
     for &x in factors {
@@ -207,7 +207,7 @@ pub fn inverse_fifth_root(factors: &[i64], fraction: u32) -> Option<i64> {
 }
 
 /// ∛n to the nearest whole number.
-pub fn cube_root(n: u128) -> i64 {
+pub(super) fn rounded_cbrt(n: u128) -> i64 {
     let (mut rest, mut root) = (n, 0_u128);
     for digit in (0..=126).rev().step_by(3) {
         root <<= 1;
@@ -222,7 +222,7 @@ pub fn cube_root(n: u128) -> i64 {
 }
 
 /// ln(1 + x) for x ≥ 0 with `fraction` bits after the point, in the same steps; within 0.6 ulp.
-pub fn logarithm(x: i64, fraction: u32) -> i64 {
+pub(super) fn ln_1p(x: i64, fraction: u32) -> i64 {
     let y = x.unsigned_abs() + (1 << fraction);
     let top = 63 - y.leading_zeros();
     // The mantissa with 62 bits; each squaring gives one binary digit of its logarithm.
@@ -238,7 +238,7 @@ pub fn logarithm(x: i64, fraction: u32) -> i64 {
 }
 
 /// The nearest multiple of 2^−fraction to a float given by its bits; none if it is no number or too large.
-pub const fn from_float(bits: u64, mantissa: u32, bias: i32, fraction: u32) -> Option<i64> {
+pub(super) const fn from_float(bits: u64, mantissa: u32, bias: i32, fraction: u32) -> Option<i64> {
     let exponents = 2 * bias + 1;
     let negative = bits >> (mantissa + exponents.count_ones()) != 0;
     let exponent = (bits >> mantissa) as i32 & exponents;
@@ -263,7 +263,7 @@ pub const fn from_float(bits: u64, mantissa: u32, bias: i32, fraction: u32) -> O
 }
 
 /// The bits of the `f64` nearest to x 2^−fraction; no float is computed with.
-pub const fn to_float(x: i64, fraction: u32) -> u64 {
+pub(super) const fn to_float(x: i64, fraction: u32) -> u64 {
     if x == 0 {
         return 0;
     }

@@ -2,19 +2,6 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-#[cfg(feature = "fixed")]
-pub mod fixed;
-#[cfg(feature = "fixed")]
-pub mod integer;
-#[cfg(feature = "fixed")]
-pub use self::fixed::{I16F16, I32F32};
-#[cfg(feature = "fixed")]
-mod product;
-#[cfg(feature = "fixed")]
-mod reading;
-#[cfg(feature = "fixed")]
-pub use product::Product;
-
 /// The operations that reading a table uses, and no more.
 ///
 /// Implemented for `f32` and `f64`, which both go through `libm`, so every target gets the same bits,
@@ -41,22 +28,22 @@ pub trait Real:
     /// `ln(1 + self)` of a value that is not negative.
     fn ln_1p(self) -> Self;
     /// A number of steps of 2^−28, as quantised tables store them.
-    fn from_quanta(quanta: i32) -> Self;
-    /// `kappa = tan² eta`, the centrifugal push.
-    fn push(tangent: Self, eta: Self) -> Self {
+    fn from_quantised(steps: i32) -> Self;
+    /// `kappa = tan²(alpha) eta`, the strength of the centrifugal force.
+    fn kappa(tangent: Self, eta: Self) -> Self {
         tangent * tangent * eta
     }
 
-    /// The number in which a table is read: this one, unless it is too coarse for it.
+    /// The number type in which a table is read: this one, unless it is too coarse for that.
     type Precise: Real;
-    /// The same value.
-    fn precise(self) -> Self::Precise;
+    /// The same value in that type.
+    fn to_precise(self) -> Self::Precise;
     /// The nearest value of this type.
-    fn rounded(precise: Self::Precise) -> Self;
+    fn from_precise(precise: Self::Precise) -> Self;
 }
 
 /// The step of the numbers in a quantised table, 2^−28.
-pub const QUANTUM: f64 = 1.0 / 268_435_456.0;
+pub(crate) const QUANTISATION_STEP: f64 = 1.0 / 268_435_456.0;
 
 /// By Halley's rule from a first guess in the bits; `libm`'s takes an `f64`, which a unit for `f32` has not.
 fn cube_root(x: f32) -> f32 {
@@ -89,16 +76,16 @@ impl Real for f32 {
     fn ln_1p(self) -> Self {
         libm::log1pf(self)
     }
-    fn from_quanta(quanta: i32) -> Self {
-        quanta as f32 * QUANTUM as f32
+    fn from_quantised(steps: i32) -> Self {
+        steps as f32 * QUANTISATION_STEP as f32
     }
     type Precise = Self;
     #[inline]
-    fn precise(self) -> Self {
+    fn to_precise(self) -> Self {
         self
     }
     #[inline]
-    fn rounded(precise: Self) -> Self {
+    fn from_precise(precise: Self) -> Self {
         precise
     }
 }
@@ -122,23 +109,23 @@ impl Real for f64 {
     fn ln_1p(self) -> Self {
         libm::log1p(self)
     }
-    fn from_quanta(quanta: i32) -> Self {
-        f64::from(quanta) * QUANTUM
+    fn from_quantised(steps: i32) -> Self {
+        f64::from(steps) * QUANTISATION_STEP
     }
     type Precise = Self;
     #[inline]
-    fn precise(self) -> Self {
+    fn to_precise(self) -> Self {
         self
     }
     #[inline]
-    fn rounded(precise: Self) -> Self {
+    fn from_precise(precise: Self) -> Self {
         precise
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Real;
+    use crate::read::real::Real;
 
     #[test]
     fn cube_roots_are_within_one_unit_in_the_last_place() {

@@ -1,28 +1,31 @@
 //! For which collisions does a table answer? Reads the scaled groups; writes yes or no, or the nearest collision inside.
 
-use super::{Groups, Stored};
-use crate::number::Real;
+use super::groups::Groups;
+use super::real::Real;
+use super::stored::StoredNumber;
 
-/// Above this `eta` the smallest eccentricity counts: below it no pair comes near its centre.
-pub const SOFT: f32 = 0.5;
+/// Only above this `eta` is the eccentricity limited from below: the centres of a softer pair may pass each other.
+pub(crate) const SOFT_ETA: f32 = 0.5;
 
-/// The groups for which a table answers.
+/// The groups for which a table answers; none of the limits has a unit.
+///
+/// Softness here is `eta / cos(alpha)`, which does not depend on the angle for the linear law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain<C = f64> {
-    /// Largest `eta / cos(alpha)`, one over the smallest `l~ cos(alpha)`.
+    /// Largest softness `eta / cos(alpha)`, one over the smallest `l~ cos(alpha)`.
     pub softness_max: C,
     /// Largest `c_dis`.
     pub c_dis_max: C,
     /// Smallest `cos(alpha)`: the most grazing collision.
     pub cos_min: C,
-    /// Smallest eccentricity where `eta > 0.5`: there a central collision may pass through.
+    /// Smallest eccentricity where `eta > 0.5`: there the centres of a central collision may pass each other.
     pub sin_min: C,
-    /// Largest `c_dis eta / cos(alpha)`.
-    pub stick_max: C,
+    /// Largest product of damping and softness, `c_dis eta / cos(alpha)`.
+    pub c_dis_softness_max: C,
 }
 
-impl<C: Stored> Domain<C> {
-    /// Are these groups inside? `false` for NaN.
+impl<C: StoredNumber> Domain<C> {
+    /// Whether these groups are inside; `false` for NaN.
     pub fn contains<S: Real>(&self, g: &Groups<S>) -> bool {
         let (zero, one) = (S::from_f32(0.0), S::from_f32(1.0));
         g.sin >= zero
@@ -33,11 +36,11 @@ impl<C: Stored> Domain<C> {
             && g.eta <= self.softness_max.get::<S>() * g.cos
             && g.c_dis >= zero
             && g.c_dis <= self.c_dis_max.get()
-            && g.c_dis * g.eta <= self.stick_max.get::<S>() * g.cos
-            && (g.eta <= S::from_f32(SOFT) || g.sin >= self.sin_min.get())
+            && g.c_dis * g.eta <= self.c_dis_softness_max.get::<S>() * g.cos
+            && (g.eta <= S::from_f32(SOFT_ETA) || g.sin >= self.sin_min.get())
     }
 
-    /// The nearest groups inside, axis by axis; NaN becomes the lower end.
+    /// The nearest groups inside, axis by axis; NaN becomes the lower limit.
     pub fn clamp<S: Real>(&self, g: &Groups<S>) -> Groups<S> {
         if self.contains(g) {
             return *g;
@@ -49,15 +52,15 @@ impl<C: Stored> Domain<C> {
             sin = (one - cos * cos).sqrt();
         }
         let mut eta = between(g.eta, zero, self.softness_max.get::<S>() * cos);
-        if eta > S::from_f32(SOFT) && sin < self.sin_min.get() {
+        if eta > S::from_f32(SOFT_ETA) && sin < self.sin_min.get() {
             sin = self.sin_min.get();
             cos = (one - sin * sin).sqrt();
             eta = between(eta, zero, self.softness_max.get::<S>() * cos);
         }
         let mut c_dis = between(g.c_dis, zero, self.c_dis_max.get());
-        let stick = self.stick_max.get::<S>() * cos;
-        if c_dis * eta > stick {
-            c_dis = stick / eta * S::from_f32(0.999_999);
+        let limit = self.c_dis_softness_max.get::<S>() * cos;
+        if c_dis * eta > limit {
+            c_dis = limit / eta * S::from_f32(0.999_999);
         }
         Groups { sin, cos, eta, c_dis }
     }

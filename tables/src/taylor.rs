@@ -1,9 +1,9 @@
 //! What are the Taylor coefficients of the next step? Reads the state of a contact; writes its power series in the step variable.
 
 /// Number of coefficients of a power series in the step variable, lowest first.
-pub(crate) const PRECISE: usize = 23;
+pub(crate) const PRECISE_TERMS: usize = 23;
 /// Fewer coefficients for a looser tolerance.
-pub(crate) const QUICK: usize = 11;
+pub(crate) const QUICK_TERMS: usize = 11;
 
 /// Coefficient `n` of the product of two series (Cauchy). Plain indices: build scripts run unoptimised.
 #[inline(always)]
@@ -28,9 +28,9 @@ pub(crate) fn value<const N: usize>(a: &[f64; N], h: f64) -> f64 {
     sum
 }
 
-/// The constants of one contact.
+/// The parameters of one contact: `kappa = tan^2(alpha) eta`, softness and damping.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Constants {
+pub(crate) struct Parameters {
     pub kappa: f64,
     pub eta: f64,
     pub c_dis: f64,
@@ -42,30 +42,38 @@ pub(crate) struct Constants {
 /// the velocity `v` and `p = x + c_dis v`, whose zero ends the contact.
 /// `depth` is the compression `x` (linear) or `s = sqrt(x)` (viscoelastic).
 #[derive(Clone, Debug)]
-pub(crate) struct Path<const N: usize> {
+pub(crate) struct Trajectory<const N: usize> {
     pub depth: [f64; N],
     pub q: [f64; N],
     pub u: [f64; N],
     pub v: [f64; N],
     pub p: [f64; N],
     pub time: [f64; N],
-    pub sweep: [f64; N],
+    pub rotation: [f64; N],
 }
 
-impl<const N: usize> Path<N> {
+impl<const N: usize> Trajectory<N> {
     /// The first touch: `x = 0`, `x' = 1`.
-    pub fn touch(c: &Constants) -> Self {
+    pub fn at_first_touch(c: &Parameters) -> Self {
         let at = |value: f64| {
             let mut series = [0.0; N];
             series[0] = value;
             series
         };
         let (zero, one) = (at(0.0), at(1.0));
-        Path { depth: zero, q: one, u: one, v: one, p: at(c.c_dis), time: zero, sweep: zero }
+        Trajectory {
+            depth: zero,
+            q: one,
+            u: one,
+            v: one,
+            p: at(c.c_dis),
+            time: zero,
+            rotation: zero,
+        }
     }
 
     /// Linear spring-dashpot with `dt = q ds`: every right-hand side is a polynomial.
-    pub fn expand_linear(&mut self, c: &Constants) {
+    pub fn expand_linear(&mut self, c: &Parameters) {
         for n in 0..N - 1 {
             let next = 1.0 / (n + 1) as f64;
             let vq = product(&self.v, &self.q, n);
@@ -76,12 +84,12 @@ impl<const N: usize> Path<N> {
             self.v[n + 1] = force * next;
             self.p[n + 1] = (vq + c.c_dis * force) * next;
             self.time[n + 1] = self.q[n] * next;
-            self.sweep[n + 1] = self.u[n] * next;
+            self.rotation[n + 1] = self.u[n] * next;
         }
     }
 
     /// Viscoelastic law with `x = s^2` and `dt = 2 s q dsigma`: the root is gone, all is a polynomial.
-    pub fn expand_viscoelastic(&mut self, c: &Constants) {
+    pub fn expand_viscoelastic(&mut self, c: &Parameters) {
         let (mut sq, mut su, mut pull) = ([0.0; N], [0.0; N], [0.0; N]);
         for n in 0..N - 1 {
             let next = 1.0 / (n + 1) as f64;
@@ -93,7 +101,7 @@ impl<const N: usize> Path<N> {
             self.u[n + 1] = 2.0 * c.eta * product(&su, &self.v, n) * next;
             self.q[n + 1] = -2.0 * c.eta * svq * next;
             self.time[n + 1] = 2.0 * sq[n] * next;
-            self.sweep[n + 1] = 2.0 * su[n] * next;
+            self.rotation[n + 1] = 2.0 * su[n] * next;
             self.depth[n + 1] = product(&self.q, &self.v, n) * next;
             self.v[n + 1] = force * next;
             self.p[n + 1] = (2.0 * svq + c.c_dis * force) * next;
@@ -104,7 +112,7 @@ impl<const N: usize> Path<N> {
     ///
     /// Depth and velocity against the size they reach in this contact; of `v` and `p` only the
     /// one that is carried on, and `p` against its own size, however small it has become.
-    pub fn step(&self, longest: f64, tolerance: f64, scale: f64, c: &Constants) -> f64 {
+    pub fn step(&self, longest: f64, tolerance: f64, scale: f64, c: &Parameters) -> f64 {
         let mut h = limit(&self.depth, longest, tolerance, scale);
         h = limit(&self.q, h, tolerance, 0.0);
         h = limit(&self.u, h, tolerance, 0.0);
@@ -124,7 +132,7 @@ impl<const N: usize> Path<N> {
             &mut self.v,
             &mut self.p,
             &mut self.time,
-            &mut self.sweep,
+            &mut self.rotation,
         ] {
             series[0] = value(series, h);
         }

@@ -1,7 +1,7 @@
 //! How are the presets' unit cubes bisected? Reads nothing; writes nothing, keeps what a search found.
 //!
-//! Made by `cargo run --release -p carom-tables --example certify plans > tables/src/recipe/plan.rs`.
-//! An unoptimised build script has no time for the search; what a plan gives is certified all the same.
+//! Made by `cargo run --release -p carom-tables --example certify bisections > tables/src/recipe/bisections.rs`.
+//! An unoptimised build script has no time for the search; the table that a kept bisection gives is certified all the same.
 
 pub(super) const STANDARD_LINEAR: &str = "\
     01012kek0kekkek12kekkek2kekkek12kek0kekkek2kekkek0112kekkek2kekkek12kekkek2kekkek12kekkek2\
