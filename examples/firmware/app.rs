@@ -1,7 +1,7 @@
 //! What does the firmware of every family do? The tilt box and its measurements; reads a chip, writes text.
 
-use carom::law::tables::read::Table;
-use carom::{Fault, World};
+use carom::law::embedded::read::Table;
+use carom::{Error, World};
 use carom_scenes::Number;
 use carom_scenes::measure::{self, Cost};
 use carom_scenes::scene::Rubber;
@@ -17,7 +17,7 @@ use crate::stack::Painted;
 pub fn tilt_box<S: Number>(
     table: &'static Table<S::Stored>,
     board: &mut impl Board,
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     let mut memory = tilt::memory::<S>();
     let mut world = tilt::tilt_box(&mut memory, table)?;
     tilt::play(&mut world, board)?;

@@ -3,7 +3,7 @@
 //! Without arguments each thousandth event of every scene, `scene scalar events digest`; with
 //! `scene scalar first last` each event of that range.
 
-use carom::number::I32F32;
+use carom::scalar::I32F32;
 use carom_scenes::replay::{Told, replay};
 use carom_scenes::{Event, Number, Scene};
 use semihosting::experimental::env;

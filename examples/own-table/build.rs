@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Recipe::standard(Law::Viscoelastic)
         .covering(&collisions)
         .tolerance(1e-5)
-        .reader_path("::carom::law::tables::read")
+        .reader_path("::carom::law::embedded::read")
         .write(out.join("rubber.rs"), "RUBBER")?;
     Ok(())
 }

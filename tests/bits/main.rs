@@ -5,7 +5,7 @@
 //! and every target (`examples/check.sh`) is held against it. A change of the engine that changes
 //! trajectories changes it; a change of compiler, optimisation or target must not.
 
-use carom::number::I32F32;
+use carom::scalar::I32F32;
 use carom_scenes::replay::{Told, replay};
 use carom_scenes::{Event, Number, Scene};
 

@@ -11,7 +11,7 @@ const HARD: HardSphere<f64> = HardSphere { restitution: 1.0 };
 /// Relative drift of energy, and of momentum in units of Σ m |v|, over `events` events in a periodic box.
 fn drift(rule: impl Rule<f64>, events: u64) -> (f64, f64) {
     let mut storage = Storage::new(50);
-    let mut world = World::setup(&mut storage)
+    let mut world = World::builder(&mut storage)
         .periodic([[0.0, 8.0]; 3])
         .rule(rule)
         .grains(gas::<f64, 3>(50, 7, 8.0, [0.2, 0.3]))
@@ -19,7 +19,7 @@ fn drift(rule: impl Rule<f64>, events: u64) -> (f64, f64) {
         .start()
         .unwrap();
     let start = world.view().kinetic_energy();
-    while world.counters().collisions < events {
+    while world.statistics().collisions < events {
         world.step().unwrap().expect("a gas in a box never ends");
     }
     let energy = (world.view().kinetic_energy() - start).abs() / start;
@@ -63,9 +63,9 @@ fn angular_momentum(release: Release, seed: u64) -> (f64, u64) {
     // A disc of grains that falls together and flies apart in open space.
     let mut grains = gas::<f64, 2>(30, seed, 12.0, [0.5, 0.9]);
     for g in &mut grains {
-        g.position -= carom::number::Vector::from([6.0, 6.0]);
+        g.position -= carom::scalar::Vector::from([6.0, 6.0]);
         g.velocity +=
-            g.position * -0.3 + carom::number::Vector::from([-g.position[1], g.position[0]]) * 0.1;
+            g.position * -0.3 + carom::scalar::Vector::from([-g.position[1], g.position[0]]) * 0.1;
     }
     let of = |g: &carom::Grain<f64, 2>| {
         g.mass * (g.position[0] * g.velocity[1] - g.position[1] * g.velocity[0])
@@ -77,7 +77,7 @@ fn angular_momentum(release: Release, seed: u64) -> (f64, u64) {
         carom::law::LinearDashpot { stiffness: 2.0e2, damping: 0.5 },
         Outside::Clamp,
     );
-    let mut world = World::setup(&mut storage)
+    let mut world = World::builder(&mut storage)
         .release(release)
         .rule(soft)
         .grains(grains)
@@ -89,7 +89,7 @@ fn angular_momentum(release: Release, seed: u64) -> (f64, u64) {
     let end: f64 = ended.iter().map(of).sum();
     // In units of what is summed up: Σ m |r| |v|.
     let scale: f64 = ended.iter().map(lever).sum();
-    ((end - start).abs() / scale, world.counters().interrupted)
+    ((end - start).abs() / scale, world.statistics().interrupted)
 }
 
 #[test]
@@ -116,7 +116,7 @@ proptest! {
     #[test]
     fn dissipation_never_adds_energy(seed in 0_u64..1000, epsilon in 0.1..1.0_f64) {
         let mut storage = Storage::new(20);
-        let mut world = World::setup(&mut storage)
+        let mut world = World::builder(&mut storage)
             .hard_walls([[0.0, 6.0]; 2], 1.0)
             .rule(HardSphere { restitution: epsilon })
             .grains(gas::<f64, 2>(20, seed, 6.0, [0.2, 0.4])).unwrap()
@@ -133,7 +133,7 @@ proptest! {
     #[test]
     fn viscoelastic_contacts_lose_energy_and_keep_momentum(seed in 0_u64..1000) {
         let mut storage = Storage::new(20);
-        let mut world = World::setup(&mut storage)
+        let mut world = World::builder(&mut storage)
             .periodic([[0.0, 6.0]; 2])
             .rule(Soft::viscoelastic(rubber(), Outside::HardSphere))
             .grains(gas::<f64, 2>(20, seed, 6.0, [0.2, 0.4])).unwrap()

@@ -1,8 +1,8 @@
 //! Does one contact do what the papers say? Single events against closed forms.
 
-use carom::event::{Deed, Kind};
 use carom::law::{ByMaterial, Central, HardSphere, LinearDashpot, Outside, Soft};
-use carom::{Fault, Grain, Memory, World};
+use carom::world::{EventKind, EventOutcome};
+use carom::{Error, Grain, Memory, World};
 use carom_host::integrated::Integrated;
 
 const SPRING: LinearDashpot<f64> = LinearDashpot { stiffness: 1.0e4, damping: 0.0 };
@@ -11,7 +11,7 @@ const SPRING: LinearDashpot<f64> = LinearDashpot { stiffness: 1.0e4, damping: 0.
 #[test]
 fn a_central_elastic_contact_lasts_half_a_period_and_swaps_velocities() {
     let mut memory = Memory::<f64, 1, 2>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(Soft::linear_dashpot(SPRING, Outside::Reject))
         .grain(Grain::with_mass(0.5, 2.0).moving([1.0]))
         .unwrap()
@@ -26,12 +26,12 @@ fn a_central_elastic_contact_lasts_half_a_period_and_swaps_velocities() {
     let end = world.step().unwrap().unwrap();
     let duration = std::f64::consts::PI * (1.0_f64 / 1.0e4).sqrt();
     let error = (end.at.as_f64() - 1.0 - duration).abs() / duration;
-    let promised = carom::law::tables::linear_dashpot().certificate.largest.tau;
+    let promised = carom::law::embedded::linear_dashpot().certificate.largest.tau;
     assert!(error <= promised, "{error:e} against {promised:e}");
-    assert_eq!((end.kind, end.deed), (Kind::Release, Some(Deed::Release)));
+    assert_eq!((end.kind, end.outcome), (EventKind::ContactEnd, Some(EventOutcome::ContactEnded)));
     assert!(world.grain(0).unwrap().velocity[0].abs() < 1e-15);
     assert!((world.grain(1).unwrap().velocity[0] - 1.0).abs() < 1e-15);
-    assert_eq!(world.counters().releases, 2);
+    assert_eq!(world.statistics().releases, 2);
     assert!(world.step().unwrap().is_none());
 }
 
@@ -39,7 +39,7 @@ fn a_central_elastic_contact_lasts_half_a_period_and_swaps_velocities() {
 #[test]
 fn unequal_masses_part_as_conservation_demands() {
     let mut memory = Memory::<f64, 2, 2>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(HardSphere { restitution: 0.5 })
         .grain(Grain::with_mass(0.5, 1.0).moving([3.0, 1.0]))
         .unwrap()
@@ -47,9 +47,9 @@ fn unequal_masses_part_as_conservation_demands() {
         .unwrap()
         .start()
         .unwrap();
-    assert!(world.step().unwrap().is_none() || world.counters().collisions == 1);
+    assert!(world.step().unwrap().is_none() || world.statistics().collisions == 1);
     let mut memory = Memory::<f64, 1, 2>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(HardSphere { restitution: 0.5 })
         .grain(Grain::with_mass(0.5, 1.0).moving([3.0]))
         .unwrap()
@@ -66,7 +66,7 @@ fn unequal_masses_part_as_conservation_demands() {
 #[test]
 fn a_soft_wall_holds_a_grain_for_half_a_period_and_leaves_its_tangential_motion() {
     let mut memory = Memory::<f64, 2, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .walls([[0.0, 10.0]; 2])
         .rule(Integrated::new(SPRING))
         .grain(Grain::with_mass(0.5, 4.0).at([2.5, 2.0]).moving([-1.0, 0.5]))
@@ -88,7 +88,7 @@ fn a_soft_wall_holds_a_grain_for_half_a_period_and_leaves_its_tangential_motion(
 fn a_bouncing_ball_keeps_epsilon_of_its_speed_each_time() {
     let law = LinearDashpot { stiffness: 1.0e6, damping: 100.0 };
     let mut memory = Memory::<f64, 1, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .walls([[0.0, 10.0]])
         .gravity([-9.81])
         .rule(Integrated::new(law))
@@ -104,7 +104,7 @@ fn a_bouncing_ball_keeps_epsilon_of_its_speed_each_time() {
     let epsilon = (-mu * tau).exp();
     let mut impact = (2.0 * 9.81_f64).sqrt();
     for bounce in 0..5 {
-        while world.step().unwrap().unwrap().kind != Kind::Release {}
+        while world.step().unwrap().unwrap().kind != EventKind::ContactEnd {}
         let speed = world.grain(0).unwrap().velocity[0];
         assert!((speed / (epsilon * impact) - 1.0).abs() < 1e-9, "{bounce}: {speed}");
         // It starts from where the force vanished, x = γ v/k below the surface, and lands on the surface.
@@ -116,7 +116,7 @@ fn a_bouncing_ball_keeps_epsilon_of_its_speed_each_time() {
 #[test]
 fn gravity_changed_in_the_middle_of_a_contact_moves_only_the_centre_of_mass() {
     let mut memory = Memory::<f64, 2, 2>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(Integrated::new(SPRING))
         .grain(Grain::with_mass(0.5, 2.0).moving([1.0, 0.0]))
         .unwrap()
@@ -141,7 +141,7 @@ fn gravity_changed_in_the_middle_of_a_contact_presses_nothing_into_the_floor() {
     let duration = std::f64::consts::PI * (2.0_f64 / 1.0e4).sqrt();
     for (gravity, end) in [(-9.0, duration), (1.0, duration), (200.0, duration / 4.0)] {
         let mut memory = Memory::<f64, 1, 1>::new();
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .walls([[0.0, 10.0]])
             .rule(Integrated::new(SPRING))
             .grain(Grain::with_mass(0.5, 2.0).at([1.5]).moving([-1.0]))
@@ -152,7 +152,7 @@ fn gravity_changed_in_the_middle_of_a_contact_presses_nothing_into_the_floor() {
         world.advance_to(1.0 + duration / 4.0).unwrap();
         world.set_gravity([gravity]).unwrap();
         let release = world.step().unwrap().unwrap();
-        assert_eq!(release.kind, Kind::Release);
+        assert_eq!(release.kind, EventKind::ContactEnd);
         assert!((release.at.as_f64() - 1.0 - end).abs() < 1e-12, "{gravity}: {}", release.at);
         let grain = world.grain(0).unwrap();
         assert!((grain.position[0] - 0.5).abs() < 1e-12, "{gravity}: {grain:?}");
@@ -165,7 +165,7 @@ fn gravity_changed_in_the_middle_of_a_contact_presses_nothing_into_the_floor() {
 fn a_turn_into_a_third_grain_is_refused_and_counted() {
     let soft = LinearDashpot { stiffness: 40.0, damping: 0.0 };
     let mut memory = Memory::<f64, 2, 3>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(Integrated::new(soft))
         .grain(Grain::with_mass(0.5, 1.0).at([-1.5, 0.5]).moving([1.0, 0.0]))
         .unwrap()
@@ -175,9 +175,9 @@ fn a_turn_into_a_third_grain_is_refused_and_counted() {
         .unwrap()
         .start()
         .unwrap();
-    let deed = world.step().unwrap().unwrap().deed;
-    assert!(matches!(deed, Some(Deed::Collision { .. })), "{deed:?}");
-    assert_eq!(world.counters().rotation_refused, 1);
+    let outcome = world.step().unwrap().unwrap().outcome;
+    assert!(matches!(outcome, Some(EventOutcome::Collision { .. })), "{outcome:?}");
+    assert_eq!(world.statistics().rotation_refused, 1);
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn a_rule_by_material_uses_the_pair_s_own_whatever_the_order() {
     for swap in [false, true] {
         let mut memory = Memory::<f64, 1, 2>::new();
         let (m, n) = if swap { (1, 0) } else { (0, 1) };
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .rule(rule)
             .grain(Grain::with_mass(0.5, 1.0).moving([1.0]).of_material(m))
             .unwrap()
@@ -205,26 +205,26 @@ fn a_rule_by_material_uses_the_pair_s_own_whatever_the_order() {
 #[test]
 fn outside_the_table_the_user_s_choice_holds_and_is_counted() {
     let very_soft = LinearDashpot { stiffness: 1.0, damping: 0.0 };
-    let run = |outside| -> Result<(u64, u64), Fault> {
+    let run = |outside| -> Result<(u64, u64), Error> {
         let mut memory = Memory::<f64, 1, 2>::new();
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .rule(Soft::linear_dashpot(very_soft, outside))
             .grain(Grain::with_mass(0.5, 1.0).moving([10.0]))?
             .grain(Grain::with_mass(0.5, 1.0).at([2.0]))?
             .start()?;
         world.step()?;
-        Ok((world.counters().clamped, world.counters().hard_sphere))
+        Ok((world.statistics().clamped, world.statistics().hard_sphere))
     };
     assert_eq!(run(Outside::Clamp), Ok((1, 0)));
     assert_eq!(run(Outside::HardSphere), Ok((0, 1)));
-    assert!(matches!(run(Outside::Reject), Err(Fault::OutsideTable { .. })));
+    assert!(matches!(run(Outside::Reject), Err(Error::OutsideTable { .. })));
 }
 
 #[test]
 fn the_central_rule_has_the_law_s_restitution_and_no_duration() {
     let law = LinearDashpot { stiffness: 1.0e4, damping: 10.0 };
     let mut memory = Memory::<f64, 1, 2>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(Central(Integrated::new(law)))
         .grain(Grain::with_mass(0.5, 1.0).moving([1.0]))
         .unwrap()
@@ -232,8 +232,8 @@ fn the_central_rule_has_the_law_s_restitution_and_no_duration() {
         .unwrap()
         .start()
         .unwrap();
-    let deed = world.step().unwrap().unwrap().deed;
-    let Some(Deed::Collision { restitution }) = deed else { panic!("{deed:?}") };
+    let outcome = world.step().unwrap().unwrap().outcome;
+    let Some(EventOutcome::Collision { restitution }) = outcome else { panic!("{outcome:?}") };
     // β = γ/(2 m_eff) = 10, ω0² = k/m_eff = 2e4; Schwager & Pöschel (2007).
     let (beta, omega) = (10.0_f64, (2.0e4_f64 - 100.0).sqrt());
     let tau = (std::f64::consts::PI - (2.0 * beta * omega / (omega * omega - beta * beta)).atan())

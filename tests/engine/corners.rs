@@ -1,8 +1,8 @@
 //! Do grains rest right where several planes meet? Reads grooves, corners and plates; compares energies and gaps.
 
 use carom::law::HardSphere;
-use carom::matter::{Plane, Surface, Vibration};
-use carom::world::Saved;
+use carom::space::{Plane, Surface, Vibration};
+use carom::world::Snapshot;
 use carom::{Grain, Memory, World};
 
 const G: f64 = 9.81;
@@ -15,7 +15,7 @@ fn a_grain_in_a_groove_comes_to_rest_at_its_bottom() {
         let (s, c) = f64::to_radians(degrees).sin_cos();
         let hard = Surface::Hard(restitution);
         let mut memory = Memory::<f64, 2, 1>::new();
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .gravity([0.0, -G])
             .plane(Plane::new([-s, c], 0.0, hard))
             .plane(Plane::new([s, c], 0.0, hard))
@@ -37,7 +37,7 @@ fn a_grain_in_a_groove_comes_to_rest_at_its_bottom() {
 #[test]
 fn a_rider_that_touches_a_wall_is_left_alone() {
     let mut memory = Memory::<f64, 2, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .gravity([0.0, -G])
         .plane(
             Plane::new([0.0, 1.0], 0.0, Surface::Hard(0.0)).vibrating(Vibration::new(5e-4, 20.0)),
@@ -60,7 +60,7 @@ fn a_grain_between_two_plates_obeys_both() {
     let (floor, side) = (Vibration::new(1e-4, 15.0), Vibration::new(4e-3, 7.3).starting_at(0.75));
     let hard = Surface::Hard(0.0);
     let mut memory = Memory::<f64, 2, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .gravity([0.0, -G])
         .plane(Plane::new([0.0, 1.0], 0.0, hard).vibrating(floor))
         .plane(Plane::new([1.0, 0.0], 0.0, hard).vibrating(side))
@@ -87,7 +87,7 @@ fn a_snapshot_keeps_the_phase_of_its_plates() {
     let plane = Plane::new([1.0], 0.0, Surface::Hard(0.8)).vibrating(Vibration::new(1e-3, 21.3));
     let rule = HardSphere { restitution: 0.9 };
     let mut memory = Memory::<f64, 1, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .plane(plane)
         .gravity([-G])
         .rule(rule)
@@ -95,11 +95,11 @@ fn a_snapshot_keeps_the_phase_of_its_plates() {
         .unwrap()
         .start()
         .unwrap();
-    while world.counters().epochs < 3 {
+    while world.statistics().epochs < 3 {
         world.step().unwrap();
     }
     let text = serde_json::to_string(&world.save()).unwrap();
-    let saved: Saved<f64, 1, Vec<_>, Vec<_>> = serde_json::from_str(&text).unwrap();
+    let saved: Snapshot<f64, 1, Vec<_>, Vec<_>> = serde_json::from_str(&text).unwrap();
     let mut again = Memory::<f64, 1, 1>::new();
     let mut other = World::restore(&mut again, rule, &saved).unwrap();
     for _ in 0..200 {

@@ -1,17 +1,17 @@
 //! Does bad input get an error that names the field, and never a panic? Feeds everything; reads the faults.
 
 use crate::gas::damped_spring;
-use carom::fault::Subject;
+use carom::error::Subject;
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft, Viscoelastic};
-use carom::matter::{Plane, Surface};
-use carom::{Fault, Grain, Memory, World};
+use carom::space::{Plane, Surface};
+use carom::{Error, Grain, Memory, World};
 use proptest::prelude::*;
 
 const ELASTIC: HardSphere<f64> = HardSphere { restitution: 1.0 };
 
-fn field_of<T>(result: Result<T, Fault>) -> (Subject, &'static str) {
+fn field_of<T>(result: Result<T, Error>) -> (Subject, &'static str) {
     match result {
-        Err(Fault::Input { subject, field, .. }) => (subject, field),
+        Err(Error::Input { subject, field, .. }) => (subject, field),
         Err(other) => panic!("another fault: {other}"),
         Ok(_) => panic!("no fault"),
     }
@@ -29,23 +29,23 @@ fn a_bad_grain_is_named_with_its_field() {
     ];
     for (grain, field) in bad {
         let mut memory = Memory::<f64, 2, 4>::new();
-        let setup = World::setup(&mut memory).rule(ELASTIC).grain(ok.at([9.0, 9.0])).unwrap();
+        let setup = World::builder(&mut memory).rule(ELASTIC).grain(ok.at([9.0, 9.0])).unwrap();
         assert_eq!(field_of(setup.grain(grain)), (Subject::Grain(1), field));
     }
 }
 
-type Begun<'m> = carom::world::Setup<'m, f64, 1, carom::world::NoRule>;
+type Begun<'m> = carom::world::WorldBuilder<'m, f64, 1, carom::world::NoRule>;
 
-fn start(f: impl FnOnce(Begun<'_>) -> Result<(), Fault>) -> Result<(), Fault> {
+fn start(f: impl FnOnce(Begun<'_>) -> Result<(), Error>) -> Result<(), Error> {
     let mut memory = Memory::<f64, 1, 2>::new();
-    f(World::setup(&mut memory))
+    f(World::builder(&mut memory))
 }
 
 #[test]
 fn bad_boundaries_gravity_and_laws_are_named() {
     let with = |law| Soft::linear_dashpot(law, Outside::Clamp);
     let rubber = Viscoelastic { young: 1e6, poisson: 0.4, dissipation: 0.0 };
-    let cases: [(Result<(), Fault>, Subject, &str); 8] = [
+    let cases: [(Result<(), Error>, Subject, &str); 8] = [
         (
             start(|s| s.gravity([f64::NAN]).rule(ELASTIC).start().map(drop)),
             Subject::World,
@@ -113,9 +113,9 @@ fn bad_boundaries_gravity_and_laws_are_named() {
 #[test]
 fn a_full_world_names_the_knob() {
     let mut memory = Memory::<f32, 2, 1>::new();
-    let setup = World::setup(&mut memory).grain(Grain::with_mass(1.0, 1.0)).unwrap();
+    let setup = World::builder(&mut memory).grain(Grain::with_mass(1.0, 1.0)).unwrap();
     let Err(fault) = setup.grain(Grain::with_mass(1.0, 1.0)) else { panic!() };
-    assert!(matches!(fault, Fault::Full { capacity: 1, .. }));
+    assert!(matches!(fault, Error::Full { capacity: 1, .. }));
     assert!(fault.to_string().contains("N of Memory"), "{fault}");
 }
 
@@ -125,8 +125,8 @@ fn overlapping_and_coincident_grains_are_refused() {
         let mut memory = Memory::<f64, 2, 2>::new();
         let grain = Grain::with_mass(0.5, 1.0);
         let setup =
-            World::setup(&mut memory).rule(ELASTIC).grains([grain, grain.at([x, 0.0])]).unwrap();
-        let Err(Fault::Overlap { grain: 1, gap, .. }) = setup.start() else { panic!() };
+            World::builder(&mut memory).rule(ELASTIC).grains([grain, grain.at([x, 0.0])]).unwrap();
+        let Err(Error::Overlap { grain: 1, gap, .. }) = setup.start() else { panic!() };
         assert_eq!(gap, x - 1.0);
     }
 }
@@ -135,7 +135,7 @@ fn overlapping_and_coincident_grains_are_refused() {
 fn grains_that_just_touch_are_accepted() {
     let mut memory = Memory::<f64, 1, 2>::new();
     let grain = Grain::with_mass(0.5, 1.0);
-    World::setup(&mut memory)
+    World::builder(&mut memory)
         .rule(ELASTIC)
         .grains([grain, grain.at([1.0])])
         .unwrap()
@@ -146,10 +146,10 @@ fn grains_that_just_touch_are_accepted() {
 #[test]
 fn an_empty_world_has_no_future() {
     let mut memory = Memory::<f64, 3, 4>::new();
-    let mut world = World::setup(&mut memory).rule(ELASTIC).start().unwrap();
+    let mut world = World::builder(&mut memory).rule(ELASTIC).start().unwrap();
     assert!(world.step().unwrap().is_none() && world.next_event_time().is_none());
     world.advance_to(1.0e9).unwrap();
-    assert!(matches!(world.advance_to(1.0), Err(Fault::Past { .. })));
+    assert!(matches!(world.advance_to(1.0), Err(Error::Past { .. })));
 }
 
 fn any_number() -> impl Strategy<Value = f64> {
@@ -177,7 +177,7 @@ proptest! {
         law in (any_number(), any_number()),
     ) {
         let mut memory = Memory::<f64, 2, 4>::new();
-        let setup = World::setup(&mut memory).gravity([gravity.0, gravity.1]);
+        let setup = World::builder(&mut memory).gravity([gravity.0, gravity.1]);
         let sides = [[-side, side]; 2];
         let setup = if periodic { setup.periodic(sides) } else if hard { setup.hard_walls(sides, 0.9) } else { setup.walls(sides) };
         let law = LinearDashpot { stiffness: law.0.abs() * 1e4, damping: law.1 };
@@ -204,7 +204,7 @@ proptest! {
 #[test]
 fn f32_and_one_dimension_take_the_same_rules() {
     let mut memory = Memory::<f32, 1, 3>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .walls([[0.0, 1.0]])
         .rule(Soft::linear_dashpot(damped_spring::<f32>(), Outside::HardSphere))
         .grains((0..3_u8).map(|i| {

@@ -1,10 +1,10 @@
 //! Does the engine run in fixed point as in floats? Runs in I32F32 and I16F16; compares with f64 and conservation laws.
 
-use carom::event::root;
-use carom::law::tables::Embedded;
+use carom::detect::root;
+use carom::law::embedded::Embedded;
 use carom::law::{HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
-use carom::matter::{Plane, Surface, Vibration};
-use carom::number::{I16F16, I32F32, Real, Vector};
+use carom::scalar::{I16F16, I32F32, Real, Vector};
+use carom::space::{Plane, Surface, Vibration};
 use carom::{Grain, Memory, Scalar, View, World};
 use proptest::prelude::*;
 
@@ -60,7 +60,7 @@ fn momentum<S: Scalar, const D: usize>(view: View<'_, S, D>) -> [f64; D] {
 /// A periodic gas of 27 after so many events: the change of energy (relative) and of momentum (largest).
 fn gas<S: Scalar>(rule: impl Rule<S>, events: u32) -> (f64, f64) {
     let mut memory = Memory::<S, 3, 27>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .periodic([[n(0.0), n(9.6)]; 3])
         .rule(rule)
         .grains(lattice(27, 3, 0.5))
@@ -71,7 +71,7 @@ fn gas<S: Scalar>(rule: impl Rule<S>, events: u32) -> (f64, f64) {
     for _ in 0..events {
         world.step().unwrap().unwrap();
     }
-    assert!(world.counters().collisions > u64::from(events / 16), "{:?}", world.counters());
+    assert!(world.statistics().collisions > u64::from(events / 16), "{:?}", world.statistics());
     let after = momentum(world.view());
     let drift = p.iter().zip(after).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     (energy(world.view()) / e - 1.0, drift)
@@ -105,7 +105,7 @@ fn soft_gases_run_and_keep_momentum() {
 /// Sixteen grains in a box under gravity; the largest energy that any of `events` events has added.
 fn boxed<S: Scalar>(rule: impl Rule<S>, events: u32) -> (f64, f64, u64) {
     let mut memory = Memory::<S, 2, 16>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .walls([[n(0.0), n(13.0)]; 2])
         .gravity([n(0.001), n(-0.00981)])
         .rule(rule)
@@ -122,8 +122,8 @@ fn boxed<S: Scalar>(rule: impl Rule<S>, events: u32) -> (f64, f64, u64) {
         let (r, x) = (grain.radius.to_f64(), grain.position.map(|x| x.to_f64()));
         assert!(x.iter().all(|&x| x > 0.9 * r && x < 13.0 - 0.9 * r), "grain {i} is at {x}");
     }
-    let depth = world.counters().clamped + world.counters().hard_sphere;
-    assert!(depth < u64::from(events), "{:?}", world.counters());
+    let depth = world.statistics().clamped + world.statistics().hard_sphere;
+    assert!(depth < u64::from(events), "{:?}", world.statistics());
     (start, energy(world.view()), world.digest())
 }
 
@@ -165,7 +165,7 @@ fn pair<S: Embedded>(turned: bool) -> [Grain<S, 2>; 2] {
         Grain::with_mass(n(1.0), n(4.0)).at([n(2.0 * s), n(0.7 * s)]).moving(v)
     };
     let mut memory = Memory::<S, 2, 2>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(Soft::viscoelastic(rubber(), Outside::Reject))
         .grain(grain(sign))
         .unwrap()
@@ -174,7 +174,7 @@ fn pair<S: Embedded>(turned: bool) -> [Grain<S, 2>; 2] {
         .start()
         .unwrap();
     world.advance_to(n::<S>(20.0)).unwrap();
-    assert_eq!(world.counters().releases, 2);
+    assert_eq!(world.statistics().releases, 2);
     [0, 1].map(|i| world.view().released(i).unwrap())
 }
 
@@ -202,7 +202,7 @@ fn a_column_on_a_vibrating_plate_runs() {
         Plane::new([n(1.0)], n(0.0), Surface::Rule).vibrating(Vibration::new(n(0.5), n(0.05)));
     let grains =
         (0..6).map(|i| Grain::with_mass(n(1.0), n(10.0)).at([n(2.0 + 2.2 * f64::from(i))]));
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .plane(plate)
         .gravity([n(-0.00981)])
         .rule(HardSphere { restitution: n(0.9) })

@@ -6,7 +6,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 /// The length of a vector.
-pub fn length<const D: usize>(v: &carom::number::Vector<f64, D>) -> f64 {
+pub fn length<const D: usize>(v: &carom::scalar::Vector<f64, D>) -> f64 {
     v.dot(v).sqrt()
 }
 

@@ -1,17 +1,20 @@
 //! Does it matter how neighbours are found? Runs worlds with cells and with all pairs; compares digests.
 
 use super::gas::{damped_spring, elastic_spring, gas, rubber};
-use carom::event::Slot;
 use carom::law::{HardSphere, Outside, Rule, Soft};
-use carom::matter::cells::Link;
-use carom::matter::{Body, Plane, Surface};
-use carom::world::Room;
-use carom::{Grain, Lend, Scalar, World};
+use carom::space::Link;
+use carom::world::Buffers;
+use carom::world::ScheduledEvent;
+use carom::{Grain, Scalar, Storage, World};
+use carom::{
+    particle::Body,
+    space::{Plane, Surface},
+};
 
 /// Memory with as many heads of cells as a test wants; without any, all pairs are neighbours.
 struct Heads<S: Scalar, const D: usize> {
     bodies: Vec<Body<S, D>>,
-    slots: Vec<Slot<S>>,
+    events: Vec<ScheduledEvent<S>>,
     tree: Vec<u32>,
     links: Vec<Link>,
     heads: Vec<u32>,
@@ -22,7 +25,7 @@ impl<S: Scalar, const D: usize> Heads<S, D> {
     fn new(grains: usize, heads: usize) -> Self {
         Self {
             bodies: vec![Body::default(); grains],
-            slots: vec![Slot::default(); grains],
+            events: vec![ScheduledEvent::default(); grains],
             tree: vec![0; grains],
             links: vec![Link::default(); grains],
             heads: vec![0; heads],
@@ -31,11 +34,11 @@ impl<S: Scalar, const D: usize> Heads<S, D> {
     }
 }
 
-impl<S: Scalar, const D: usize> Lend<S, D> for Heads<S, D> {
-    fn lend(&mut self) -> Room<'_, S, D> {
-        Room {
+impl<S: Scalar, const D: usize> Storage<S, D> for Heads<S, D> {
+    fn buffers(&mut self) -> Buffers<'_, S, D> {
+        Buffers {
             bodies: &mut self.bodies,
-            slots: &mut self.slots,
+            events: &mut self.events,
             tree: &mut self.tree,
             links: &mut self.links,
             heads: &mut self.heads,
@@ -60,18 +63,18 @@ fn digests<S: Scalar, const D: usize, R: Rule<S>>(
     events: u64,
 ) -> (Vec<u64>, u64) {
     let mut memory = Heads::<S, D>::new(scene.grains.len(), heads);
-    let setup = World::setup(&mut memory).gravity(scene.gravity).rule(rule);
+    let setup = World::builder(&mut memory).gravity(scene.gravity).rule(rule);
     let sides = [[S::zero(), scene.side]; D];
     let setup = if scene.periodic { setup.periodic(sides) } else { setup.walls(sides) };
     let mut world = setup.grains(scene.grains.iter().copied()).unwrap().start().unwrap();
     let mut digests = Vec::new();
-    while world.counters().events() < events {
-        if world.counters().events() >= 1_000 * digests.len() as u64 {
+    while world.statistics().events() < events {
+        if world.statistics().events() >= 1_000 * digests.len() as u64 {
             digests.push(world.digest());
         }
         world.step().unwrap();
     }
-    (digests, world.counters().wanderings)
+    (digests, world.statistics().cell_crossings)
 }
 
 fn same<S: Scalar, const D: usize, R: Rule<S> + Copy>(scene: &Scene<S, D>, rule: R, events: u64) {

@@ -2,7 +2,7 @@
 
 use crate::rest::at_rest;
 use carom::law::{HardSphere, Outside, Soft, Viscoelastic};
-use carom::matter::{Plane, Surface};
+use carom::space::{Plane, Surface};
 use carom::{Grain, Memory, Scalar, World};
 
 const G: f64 = 9.81;
@@ -26,7 +26,7 @@ fn pile<const D: usize, const N: usize>(epsilon: f64, row: usize) {
     sides[D - 1][1] = 100.0;
     let mut gravity = [0.0; D];
     gravity[D - 1] = -G;
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .hard_walls(sides, epsilon)
         .gravity(gravity)
         .rule(HardSphere { restitution: epsilon })
@@ -38,15 +38,15 @@ fn pile<const D: usize, const N: usize>(epsilon: f64, row: usize) {
     while at_rest(world.view()) < N {
         t += 0.25;
         world.advance_to(t).unwrap();
-        let events = world.counters().events();
-        assert!(events < 400_000, "{t}: {} rest, {:?}", at_rest(world.view()), world.counters());
+        let events = world.statistics().events();
+        assert!(events < 400_000, "{t}: {} rest, {:?}", at_rest(world.view()), world.statistics());
     }
     // A grain may still slide on the smooth floor; if none does, nothing happens any more.
-    let before = world.counters().events();
+    let before = world.statistics().events();
     if world.view().kinetic_energy() < 1e-9 {
         world.advance_to(t + 10.0).unwrap();
         assert_eq!(at_rest(world.view()), N);
-        assert!(world.counters().events() - before < 100, "{:?}", world.counters());
+        assert!(world.statistics().events() - before < 100, "{:?}", world.statistics());
     }
     for i in 0..N {
         for k in 0..i {
@@ -76,7 +76,7 @@ fn shot_away<S: Scalar>(cases: u32) {
         let epsilon = s(0.3 + 0.5 * f64::from(k) / f64::from(cases));
         let mut memory = Memory::<S, 2, 3>::new();
         let grain = Grain::sphere(s(R), s(2500.0));
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .gravity([s(0.0), s(-9.81)])
             .plane(Plane::new([s(0.0), s(1.0)], s(0.0), Surface::Hard(epsilon)))
             .rule(HardSphere { restitution: epsilon })
@@ -115,7 +115,7 @@ fn a_heap_of_soft_grains_settles() {
         Grain::sphere(size, 1140.0).at(at).moving([0.02 * ((i * 13 % 7) as f64 - 3.0), 0.0])
     });
     let mut memory = Memory::<f64, 2, N>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .gravity([0.0, -G])
         .rule(Soft::viscoelastic(rubber, Outside::HardSphere))
         .plane(Plane::new([0.0, 1.0], 0.0, Surface::Rule))
@@ -128,10 +128,10 @@ fn a_heap_of_soft_grains_settles() {
     let energy = world.view().kinetic_energy();
     for frame in 1..=40 {
         world.advance_to(0.01 * f64::from(frame)).unwrap();
-        let counters = *world.counters();
-        assert!(counters.events() < 300_000, "{frame}: {counters:?}");
+        let statistics = *world.statistics();
+        assert!(statistics.events() < 300_000, "{frame}: {statistics:?}");
     }
-    assert!(world.counters().rotation_refused > 1000, "nothing was in the way: no test");
+    assert!(world.statistics().rotation_refused > 1000, "nothing was in the way: no test");
     assert!(at_rest(world.view()) >= N - 2, "{} lie still", at_rest(world.view()));
     let left = world.view().kinetic_energy();
     assert!(left < 1e-4 * energy, "{left:e} of {energy:e}");
@@ -151,7 +151,7 @@ fn only_lossy_grains_come_to_rest_on_an_elastic_floor() {
             let velocity = [0.3 * ((i * 13 % 7) as f64 - 3.0), 0.2 * ((i * 5 % 7) as f64 - 3.0)];
             Grain::with_mass(radius, radius * radius).at(at).moving(velocity)
         });
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .gravity([0.0, -G])
             .rule(HardSphere { restitution: epsilon })
             .plane(Plane::new([0.0, 1.0], 0.0, Surface::Hard(1.0)))
@@ -163,9 +163,9 @@ fn only_lossy_grains_come_to_rest_on_an_elastic_floor() {
             .unwrap();
         for frame in 1..=50 {
             world.advance_to(0.1 * f64::from(frame)).unwrap();
-            assert!(world.counters().events() < 200_000, "{frame}: {:?}", world.counters());
+            assert!(world.statistics().events() < 200_000, "{frame}: {:?}", world.statistics());
         }
-        (world.view().kinetic_energy(), world.counters().rests)
+        (world.view().kinetic_energy(), world.statistics().rests)
     };
     let (left, rests) = run(0.6);
     assert!(left < 1e-3 && rests > 0, "{left:e}");

@@ -1,9 +1,9 @@
 //! Does a vibrating plate ever let a grain through? Reads random plates and grains; counts impacts, overlaps and instants.
 
-use carom::law::{Answer, Encounter, Rule};
+use carom::law::{Answer, Impact, Rule};
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft};
-use carom::matter::{Plane, Surface, Vibration};
-use carom::{Fault, Grain, Memory, World};
+use carom::space::{Plane, Surface, Vibration};
+use carom::{Error, Grain, Memory, World};
 use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -17,10 +17,10 @@ enum Either {
 }
 
 impl Rule<f64> for Either {
-    fn meet(&self, encounter: &Encounter<f64>) -> Answer<f64> {
+    fn meet(&self, impact: &Impact<f64>) -> Answer<f64> {
         match self {
-            Self::Hard(rule) => rule.meet(encounter),
-            Self::Soft(rule) => rule.meet(encounter),
+            Self::Hard(rule) => rule.meet(impact),
+            Self::Soft(rule) => rule.meet(impact),
         }
     }
 }
@@ -59,7 +59,7 @@ impl Case {
 ///
 /// Checked at every event and half-way to the next: time goes on, and no grain is deeper in the plate
 /// than rounding (a soft one: than its contact lets it be).
-fn impacts<const D: usize>(case: &Case, most: u64) -> Result<u64, Fault> {
+fn impacts<const D: usize>(case: &Case, most: u64) -> Result<u64, Error> {
     let mut rng = Pcg64Mcg::seed_from_u64(case.seed);
     let up = D - 1;
     let mut normal = [0.0; D];
@@ -79,7 +79,7 @@ fn impacts<const D: usize>(case: &Case, most: u64) -> Result<u64, Fault> {
     let shaker = Vibration::new(case.amplitude, case.frequency).starting_at(case.phase);
     let mut memory = Memory::<f64, D, 4>::new();
     let radius = 0.01;
-    let mut setup = World::setup(&mut memory)
+    let mut setup = World::builder(&mut memory)
         .plane(Plane::new(normal, 0.0, surface).vibrating(shaker))
         .gravity(gravity)
         .rule(rule);
@@ -94,7 +94,7 @@ fn impacts<const D: usize>(case: &Case, most: u64) -> Result<u64, Fault> {
     let mut world = setup.start()?;
     let depth = if case.soft { 0.2 * radius } else { 1e-12 * (1.0 + case.amplitude) };
     let mut events = 0_u64;
-    while world.counters().plane_collisions < most && events < 20 * most {
+    while world.statistics().plane_collisions < most && events < 20 * most {
         let before = world.now();
         if world.step()?.is_none() {
             break;
@@ -110,7 +110,7 @@ fn impacts<const D: usize>(case: &Case, most: u64) -> Result<u64, Fault> {
             }
         }
     }
-    Ok(world.counters().plane_collisions)
+    Ok(world.statistics().plane_collisions)
 }
 
 fn above<const D: usize, R>(
@@ -173,7 +173,7 @@ proptest! {
         let a0 = alpha * G / (omega * omega);
         let mut memory = Memory::<f64, 1, 1>::new();
         let plate = Plane::new([1.0], 0.0, Surface::Hard(0.0)).vibrating(Vibration::new(a0, f));
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .plane(plate)
             .gravity([-G])
             .rule(HardSphere { restitution: 0.0 })
@@ -198,7 +198,7 @@ fn a_grain_that_is_crushed_is_a_fault_that_names_it() {
     for restitution in [0.0, 0.5, 0.99] {
         let mut memory = Memory::<f64, 1, 1>::new();
         let hard = Surface::Hard(restitution);
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .plane(Plane::new([1.0], 0.0, hard).vibrating(Vibration::new(0.5, 1.0)))
             .plane(Plane::new([-1.0], -1.25, hard))
             .rule(HardSphere { restitution })
@@ -207,8 +207,8 @@ fn a_grain_that_is_crushed_is_a_fault_that_names_it() {
             .start()
             .unwrap();
         let fault = (0..1_000_000).find_map(|_| world.step().err());
-        let Some(Fault::Stuck { grain: 0, at, .. }) = fault else {
-            panic!("{restitution}: {fault:?} {:?}", world.counters())
+        let Some(Error::Stuck { grain: 0, at, .. }) = fault else {
+            panic!("{restitution}: {fault:?} {:?}", world.statistics())
         };
         // The gap is the grain's diameter when sin(2πt) = 1/2.
         assert!((at.as_f64() - 1.0 / 12.0).abs() < 1e-3, "{restitution}: {at}");
@@ -221,7 +221,7 @@ fn no_bead_of_a_thrown_column_falls_through_its_plate() {
     let mut memory = Memory::<f64, 1, 10>::new();
     let radius = 0.5e-3;
     let plate = Vibration::new(1.0e-2, 20.0); // 16 g: the beads fly through many cells
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .gravity([-G])
         .plane(Plane::new([1.0], 0.0, Surface::Hard(0.9)).vibrating(plate))
         .rule(HardSphere { restitution: 0.9 })
@@ -235,5 +235,7 @@ fn no_bead_of_a_thrown_column_falls_through_its_plate() {
         let lowest = (0..10).map(|i| world.grain(i).unwrap().position[0]).fold(f64::MAX, f64::min);
         assert!(lowest - radius - place > -1e-12, "{lowest} at {at}");
     }
-    assert!(world.counters().wanderings > 1_000 && world.counters().plane_collisions > 1_000);
+    assert!(
+        world.statistics().cell_crossings > 1_000 && world.statistics().plane_collisions > 1_000
+    );
 }

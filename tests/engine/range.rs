@@ -1,16 +1,16 @@
 //! What happens where a fixed-point number ends? Worlds too large, too fast or too late; compares faults and times.
 
 use carom::law::{HardSphere, Outside, Soft, Viscoelastic};
-use carom::matter::{Plane, Surface};
-use carom::number::{I16F16, I32F32};
-use carom::{Fault, Grain, Instant, Memory, World};
+use carom::scalar::{I16F16, I32F32};
+use carom::space::{Plane, Surface};
+use carom::{Error, Grain, Instant, Memory, World};
 
 use crate::fixed::{n, rubber};
 
 /// The quantity that a fault names.
-fn named(fault: &Fault) -> &'static str {
+fn named(fault: &Error) -> &'static str {
     match fault {
-        Fault::Overflow { quantity, .. } => quantity,
+        Error::Overflow { quantity, .. } => quantity,
         other => panic!("{other}"),
     }
 }
@@ -19,7 +19,7 @@ fn named(fault: &Fault) -> &'static str {
 fn what_does_not_fit_is_named_with_the_unit_to_choose() {
     let start = |grain: Grain<I32F32, 1>, rule: Viscoelastic<I32F32>, wall: f64| {
         let mut memory = Memory::<I32F32, 1, 2>::new();
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .plane(Plane::new([n(1.0)], n(wall), Surface::Rule))
             .gravity([n(-9.81)])
             .rule(Soft::viscoelastic(rule, Outside::HardSphere))
@@ -46,7 +46,7 @@ fn what_does_not_fit_is_named_with_the_unit_to_choose() {
         ),
     ];
     for (grain, rule, quantity, unit) in cases {
-        let fault: Fault = start(grain, rule, 0.0).unwrap_err();
+        let fault: Error = start(grain, rule, 0.0).unwrap_err();
         let text = fault.to_string();
         assert_eq!(named(&fault), quantity, "{text}");
         assert!(text.contains(unit), "{text}");
@@ -56,7 +56,7 @@ fn what_does_not_fit_is_named_with_the_unit_to_choose() {
 #[test]
 fn a_grain_that_leaves_the_range_is_a_fault_not_a_wrap() {
     let mut memory = Memory::<I16F16, 2, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .gravity([n(0.0), n(-0.01)])
         .rule(HardSphere { restitution: n(1.0) })
         .grain(Grain::with_mass(n(1.0), n(1.0)).moving([n(0.5), n(0.0)]))
@@ -75,7 +75,7 @@ fn a_grain_that_leaves_the_range_is_a_fault_not_a_wrap() {
 fn a_meeting_far_beyond_the_clock_s_range_comes_at_its_time() {
     // One step of speed is 2⁻¹⁶, so a gap of 3 takes 196,608 units, six times what the clock can count.
     let mut memory = Memory::<I16F16, 1, 2>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(HardSphere { restitution: n(1.0) })
         .grain(Grain::with_mass(n(1.0), n(1.0)).moving([I16F16::DELTA]))
         .unwrap()
@@ -84,15 +84,15 @@ fn a_meeting_far_beyond_the_clock_s_range_comes_at_its_time() {
         .start()
         .unwrap();
     world.advance_to(Instant::from(196_600.0_f64)).unwrap();
-    assert_eq!(world.counters().collisions, 0);
+    assert_eq!(world.statistics().collisions, 0);
     world.advance_to(Instant::from(196_616.0_f64)).unwrap();
-    assert_eq!(world.counters().collisions, 1, "{:?}", world.counters());
+    assert_eq!(world.statistics().collisions, 1, "{:?}", world.statistics());
 }
 
 #[test]
 fn a_world_at_rest_can_wait_for_ever() {
     let mut memory = Memory::<I32F32, 1, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(HardSphere { restitution: n(1.0) })
         .grain(Grain::with_mass(n(1.0), n(1.0)))
         .unwrap()

@@ -1,7 +1,7 @@
 //! Do grains come to rest, stay there and get up again? Reads worlds of columns, plates and piles; compares closed forms.
 
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft};
-use carom::matter::{Plane, Surface, Vibration};
+use carom::space::{Plane, Surface, Vibration};
 use carom::world::View;
 use carom::{Grain, Memory, Scalar, World};
 
@@ -15,7 +15,7 @@ pub fn at_rest<const D: usize>(view: View<'_, f64, D>) -> usize {
 fn ball<S: Scalar>(epsilon: f64, tolerance: f64) {
     let s = S::from_f64;
     let mut memory = Memory::<S, 1, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .hard_walls([[s(0.0), s(100.0)]], s(epsilon))
         .gravity([s(-10.0)])
         .rule(HardSphere { restitution: S::one() })
@@ -24,7 +24,7 @@ fn ball<S: Scalar>(epsilon: f64, tolerance: f64) {
         .start()
         .unwrap();
     while world.step().unwrap().is_some() {
-        assert!(world.counters().plane_collisions < 100_000, "{epsilon} runs on");
+        assert!(world.statistics().plane_collisions < 100_000, "{epsilon} runs on");
     }
     let expected = (2.0_f64 / 10.0).sqrt() * (1.0 + epsilon) / (1.0 - epsilon);
     let t = world.now().as_f64();
@@ -32,7 +32,7 @@ fn ball<S: Scalar>(epsilon: f64, tolerance: f64) {
     let grain = world.grain(0).unwrap();
     assert_eq!(grain.velocity[0], S::zero());
     assert!((grain.position[0].to_f64() - 0.5).abs() < 1e-5);
-    assert_eq!(world.counters().rests, 1);
+    assert_eq!(world.statistics().rests, 1);
     world.advance_to(s(1000.0)).unwrap();
     assert_eq!(world.grain(0).unwrap(), grain);
 }
@@ -49,7 +49,7 @@ fn column(epsilon: f64, gap: f64) -> Memory<f64, 1, 10> {
     let mut memory = Memory::<f64, 1, 10>::new();
     let grains =
         (0..10).map(|i| Grain::with_mass(0.5, 1.0).at([0.5 + 0.3 + f64::from(i) * (1.0 + gap)]));
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .plane(Plane::new([1.0], 0.0, Surface::Hard(epsilon)))
         .gravity([-G])
         .rule(HardSphere { restitution: epsilon })
@@ -59,7 +59,7 @@ fn column(epsilon: f64, gap: f64) -> Memory<f64, 1, 10> {
         .unwrap();
     world.advance_to(200.0).unwrap();
     let view = world.view();
-    assert_eq!(at_rest(view), 10, "{epsilon} {gap}: {:?}", world.counters());
+    assert_eq!(at_rest(view), 10, "{epsilon} {gap}: {:?}", world.statistics());
     for i in 0..10 {
         let x = view.grain(i).unwrap().position[0];
         assert!((x - (0.5 + i as f64)).abs() < 1e-9, "{epsilon} {gap}: grain {i} at {x}");
@@ -81,7 +81,7 @@ fn a_column_comes_to_rest_as_one() {
 fn a_column_at_rest_wakes_when_it_is_hit_and_rests_again() {
     let mut memory = Memory::<f64, 1, 4>::new();
     let at = |x: f64| Grain::with_mass(0.5, 1.0).at([x]);
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .plane(Plane::new([1.0], 0.0, Surface::Hard(0.5)))
         .gravity([-G])
         .rule(HardSphere { restitution: 0.7 })
@@ -92,7 +92,7 @@ fn a_column_at_rest_wakes_when_it_is_hit_and_rests_again() {
     world.advance_to(1.0).unwrap();
     assert_eq!(at_rest(world.view()), 3);
     world.advance_to(1.5).unwrap();
-    assert!(world.counters().take_offs >= 3, "{:?}", world.counters());
+    assert!(world.statistics().take_offs >= 3, "{:?}", world.statistics());
     world.advance_to(60.0).unwrap();
     assert_eq!(at_rest(world.view()), 4);
     world.set_gravity([1.0]).unwrap();
@@ -109,7 +109,7 @@ fn grains_leave_a_plate_that_falls_away_faster_than_they_do() {
     let mut memory = Memory::<f64, 1, 10>::new();
     let grains = (0..5).map(|i| Grain::with_mass(0.5, 1.0).at([0.5 + f64::from(i)]));
     let plate = Plane::new([1.0], 0.0, Surface::Hard(0.5)).vibrating(Vibration::new(a0, f));
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .plane(plate)
         .gravity([-G])
         .rule(HardSphere { restitution: 0.5 })
@@ -118,14 +118,14 @@ fn grains_leave_a_plate_that_falls_away_faster_than_they_do() {
         .start()
         .unwrap();
     world.advance_to(1e-6).unwrap();
-    assert_eq!(at_rest(world.view()), 5, "{:?}", world.counters());
+    assert_eq!(at_rest(world.view()), 5, "{:?}", world.statistics());
     let leaves = (0.5_f64).asin() / (std::f64::consts::TAU * f);
     world.advance_to(leaves - 1e-7).unwrap();
     assert_eq!(at_rest(world.view()), 5);
     let rides = world.grain(4).unwrap().position[0] - 4.5;
     assert!((rides - 0.5 * a0).abs() < 1e-6, "{rides}");
     world.advance_to(leaves + 1e-7).unwrap();
-    assert_eq!(at_rest(world.view()), 0, "{:?}", world.counters());
+    assert_eq!(at_rest(world.view()), 0, "{:?}", world.statistics());
     let speed = a0 * std::f64::consts::TAU * f * 0.75_f64.sqrt();
     for i in 0..5 {
         let grain = world.grain(i).unwrap();
@@ -141,9 +141,9 @@ fn grains_leave_a_plate_that_falls_away_faster_than_they_do() {
         if flight(middle) > plate(middle) { low = middle } else { high = middle }
     }
     world.advance_to(leaves + low - 1e-6).unwrap();
-    let before = world.counters().plane_collisions;
+    let before = world.statistics().plane_collisions;
     world.advance_to(leaves + low + 1e-6).unwrap();
-    assert!(world.counters().plane_collisions > before);
+    assert!(world.statistics().plane_collisions > before);
 }
 
 /// L94 §IV: ε_eff = 0.341 ± 0.002 for N = 10, ε = 0.9, its wall, whatever s₀ is.
@@ -156,7 +156,7 @@ fn an_event_driven_column_loses_what_luding_found() {
     for gap in [0.0, 1e-7, 1e-5, 1e-3, 1e-2] {
         let mut memory = Memory::<f64, 1, 10>::new();
         let grain = |i| Grain::with_mass(0.5e-3, 1.0).at([0.5e-3 + f64::from(i) * (1e-3 + gap)]);
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .plane(Plane::new([1.0], 0.0, Surface::Hard(wall)))
             .rule(HardSphere { restitution: 0.9 })
             .grains((0..10).map(|i| grain(i).moving([-0.2])))
@@ -176,7 +176,7 @@ fn soft_grains_come_to_rest() {
     let law = LinearDashpot { stiffness: 1e7, damping: 200.0 };
     let mut memory = Memory::<f64, 1, 3>::new();
     let grains = (0..3).map(|i| Grain::with_mass(0.05, 1.0).at([0.06 + f64::from(i) * 0.11]));
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .plane(Plane::new([1.0], 0.0, Surface::Rule))
         .gravity([-G])
         .rule(Soft::linear_dashpot(law, Outside::HardSphere))
@@ -185,7 +185,7 @@ fn soft_grains_come_to_rest() {
         .start()
         .unwrap();
     world.advance_to(30.0).unwrap();
-    assert_eq!(at_rest(world.view()), 3, "{:?}", world.counters());
+    assert_eq!(at_rest(world.view()), 3, "{:?}", world.statistics());
 }
 
 /// Three grains that collapse in free space (ε below 7 − 4√3): after the collapse they part.
@@ -194,7 +194,7 @@ fn a_collapse_in_free_space_ends() {
     for epsilon in [0.0, 0.01, 0.05] {
         let mut memory = Memory::<f64, 1, 3>::new();
         let at = |x: f64, v: f64| Grain::with_mass(0.5, 1.0).at([x]).moving([v]);
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .rule(HardSphere { restitution: epsilon })
             .grains([at(0.0, 1.0), at(2.0, 0.0), at(4.0, -1.0)])
             .unwrap()

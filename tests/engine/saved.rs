@@ -1,10 +1,10 @@
 //! Is a restored world the same world? Saves through JSON in the middle of contacts; compares digests.
 
 use crate::gas::{damped_spring, gas};
-use carom::event::Slot;
 use carom::law::{Outside, Soft};
-use carom::matter::Body;
-use carom::world::Saved;
+use carom::particle::Body;
+use carom::world::ScheduledEvent;
+use carom::world::Snapshot;
 use carom::{Memory, World};
 use carom_host::storage::Storage;
 
@@ -12,7 +12,7 @@ use carom_host::storage::Storage;
 fn a_snapshot_goes_on_with_the_same_bits() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
     let mut storage = Storage::new(20);
-    let mut world = World::setup(&mut storage)
+    let mut world = World::builder(&mut storage)
         .walls([[0.0, 5.0]; 2])
         .gravity([0.0, -0.1])
         .rule(rule)
@@ -27,7 +27,7 @@ fn a_snapshot_goes_on_with_the_same_bits() {
         world.step().unwrap();
     }
     let text = serde_json::to_string(&world.save()).unwrap();
-    let saved: Saved<f64, 2, Vec<Body<f64, 2>>, Vec<Slot<f64>>> =
+    let saved: Snapshot<f64, 2, Vec<Body<f64, 2>>, Vec<ScheduledEvent<f64>>> =
         serde_json::from_str(&text).unwrap();
     let mut memory = Memory::<f64, 2, 32>::new();
     let mut again = World::restore(&mut memory, rule, &saved).unwrap();
@@ -37,14 +37,14 @@ fn a_snapshot_goes_on_with_the_same_bits() {
         again.step().unwrap();
     }
     assert_eq!(world.digest(), again.digest());
-    assert_eq!(world.counters(), again.counters());
+    assert_eq!(world.statistics(), again.statistics());
 }
 
 #[test]
 fn a_snapshot_that_is_not_one_is_refused() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
     let mut storage = Storage::new(2);
-    let world = World::setup(&mut storage)
+    let world = World::builder(&mut storage)
         .rule(rule)
         .grains(gas::<f64, 2>(2, 1, 5.0, [0.2, 0.4]))
         .unwrap()
@@ -58,7 +58,7 @@ fn a_snapshot_that_is_not_one_is_refused() {
     ];
     for bad in broken {
         assert_ne!(bad, text);
-        let saved: Saved<f64, 2, Vec<Body<f64, 2>>, Vec<Slot<f64>>> =
+        let saved: Snapshot<f64, 2, Vec<Body<f64, 2>>, Vec<ScheduledEvent<f64>>> =
             serde_json::from_str(&bad).unwrap();
         let mut memory = Memory::<f64, 2, 4>::new();
         assert!(World::restore(&mut memory, rule, &saved).is_err());

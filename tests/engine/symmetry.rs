@@ -2,7 +2,7 @@
 
 use crate::gas::{damped_spring, gas};
 use carom::law::{Outside, Soft};
-use carom::number::Vector;
+use carom::scalar::Vector;
 use carom::{Grain, World};
 use carom_host::storage::Storage;
 use proptest::prelude::*;
@@ -15,7 +15,7 @@ const TIME: f64 = 3.0;
 /// Positions and velocities afterwards, in the periodic box; none if nothing collided.
 fn run(grains: &[Grain<f64, 2>]) -> Option<Vec<Grain<f64, 2>>> {
     let mut storage = Storage::new(grains.len());
-    let mut world = World::setup(&mut storage)
+    let mut world = World::builder(&mut storage)
         .periodic([[0.0, LENGTH]; 2])
         .rule(Soft::linear_dashpot(damped_spring(), Outside::HardSphere))
         .grains(grains.iter().copied())
@@ -24,7 +24,7 @@ fn run(grains: &[Grain<f64, 2>]) -> Option<Vec<Grain<f64, 2>>> {
         .unwrap();
     world.advance_to(TIME).unwrap();
     let all = (0..grains.len()).map(|i| world.view().released(i).unwrap()).collect();
-    (world.counters().collisions > 0).then_some(all)
+    (world.statistics().collisions > 0).then_some(all)
 }
 
 /// The largest difference of positions (nearest image) and velocities.

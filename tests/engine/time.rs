@@ -2,8 +2,8 @@
 
 use crate::gas::{damped_spring, elastic_spring, gas, length};
 use carom::law::{HardSphere, Outside, Soft};
-use carom::world::Happening;
-use carom::{Grain, Instant, Memory, Scalar, View, Watch, World};
+use carom::world::Event;
+use carom::{Grain, Instant, Memory, Observer, Scalar, View, World};
 use carom_host::storage::Storage;
 
 /// An elastic ball between two hard walls, one length apart: it hits one of them every unit of time.
@@ -11,7 +11,7 @@ use carom_host::storage::Storage;
 fn worst_interval<S: Scalar>(hits: u32, skip: u32) -> f64 {
     let half = S::from_f64(0.25);
     let mut memory = Memory::<S, 1, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .hard_walls([[S::zero(), S::one()]], S::one())
         .rule(HardSphere { restitution: S::one() })
         .grain(Grain::with_mass(half, S::one()).at([half]).moving([S::half()]))
@@ -44,15 +44,15 @@ fn far_events_are_not_lost_when_clocks_are_set_back() {
     // Two fast grains bounce 10^4 times while a slow one creeps towards a fourth.
     let mut memory = Memory::<f32, 1, 4>::new();
     let grain = Grain::with_mass(0.25, 1.0);
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(HardSphere { restitution: 1.0 })
-        .plane(carom::matter::Plane::new([1.0], 0.0, carom::matter::Surface::Rule))
+        .plane(carom::space::Plane::new([1.0], 0.0, carom::space::Surface::Rule))
         .grains([grain.at([10.0]).moving([1.0e-3]), grain.at([11.5])])
         .unwrap()
         .start()
         .unwrap();
     let mut asked = 0.0_f32;
-    while world.counters().collisions == 0 && asked < 2000.0 {
+    while world.statistics().collisions == 0 && asked < 2000.0 {
         asked += 1.0;
         world.advance_to(asked).unwrap();
         world.set_gravity([0.0]).unwrap();
@@ -67,15 +67,15 @@ struct InOrder {
     afters: u64,
 }
 
-impl Watch<f64, 3> for InOrder {
-    fn before(&mut self, happening: &Happening<f64>, view: View<'_, f64, 3>) {
-        assert!(happening.at >= self.last && happening.deed.is_none());
-        assert_eq!(happening.at, view.now());
-        self.last = happening.at;
+impl Observer<f64, 3> for InOrder {
+    fn before(&mut self, event: &Event<f64>, view: View<'_, f64, 3>) {
+        assert!(event.at >= self.last && event.outcome.is_none());
+        assert_eq!(event.at, view.now());
+        self.last = event.at;
         self.befores += 1;
     }
-    fn after(&mut self, happening: &Happening<f64>, _: View<'_, f64, 3>) {
-        assert!(happening.deed.is_some());
+    fn after(&mut self, event: &Event<f64>, _: View<'_, f64, 3>) {
+        assert!(event.outcome.is_some());
         self.afters += 1;
     }
 }
@@ -84,7 +84,7 @@ impl Watch<f64, 3> for InOrder {
 fn events_come_in_order_and_watching_changes_nothing() {
     let run = |steps: u32, watched: bool| {
         let mut storage = Storage::new(30);
-        let mut world = World::setup(&mut storage)
+        let mut world = World::builder(&mut storage)
             .periodic([[0.0, 6.0]; 3])
             .rule(Soft::linear_dashpot(damped_spring(), Outside::HardSphere))
             .grains(gas::<f64, 3>(30, 3, 6.0, [0.2, 0.4]))
@@ -95,13 +95,13 @@ fn events_come_in_order_and_watching_changes_nothing() {
         for n in 1..=steps {
             let t = 20.0 * f64::from(n) / f64::from(steps);
             if watched {
-                world.advance_watched(t, &mut watch).unwrap();
+                world.advance_observed(t, &mut watch).unwrap();
             } else {
                 world.advance_to(t).unwrap();
             }
         }
         assert!(watch.befores == watch.afters && (!watched || watch.befores > 100));
-        (world.digest(), *world.counters())
+        (world.digest(), *world.statistics())
     };
     let once = run(1, false);
     assert_eq!(once, run(977, false), "the number of calls must not matter");
@@ -112,7 +112,7 @@ fn events_come_in_order_and_watching_changes_nothing() {
 #[test]
 fn no_overlap_gets_deeper_in_free_flight() {
     let mut storage = Storage::new(30);
-    let mut world = World::setup(&mut storage)
+    let mut world = World::builder(&mut storage)
         .periodic([[0.0, 4.0]; 2])
         .rule(HardSphere { restitution: 0.8 })
         .grains(gas::<f64, 2>(30, 5, 4.0, [0.2, 0.3]))
@@ -140,7 +140,7 @@ fn no_overlap_gets_deeper_in_free_flight() {
 #[test]
 fn next_event_time_is_never_late() {
     let mut storage = Storage::new(20);
-    let mut world = World::setup(&mut storage)
+    let mut world = World::builder(&mut storage)
         .periodic([[0.0, 5.0]; 2])
         .rule(Soft::linear_dashpot(elastic_spring(), Outside::HardSphere))
         .grains(gas::<f64, 2>(20, 11, 5.0, [0.2, 0.4]))

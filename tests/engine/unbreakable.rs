@@ -1,12 +1,15 @@
 //! Can the loop be broken? Collapse, corners, quiet worlds, hostile memory and snapshots; each was once a fault of ours.
 
 use crate::gas::damped_spring;
-use carom::event::Slot;
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft, Viscoelastic};
-use carom::matter::cells::Link;
-use carom::matter::{Body, Plane, Surface};
-use carom::world::{Room, Saved};
-use carom::{Fault, Grain, Instant, Lend, Memory, World};
+use carom::space::Link;
+use carom::world::ScheduledEvent;
+use carom::world::{Buffers, Snapshot};
+use carom::{Error, Grain, Instant, Memory, Storage, World};
+use carom::{
+    particle::Body,
+    space::{Plane, Surface},
+};
 
 const ELASTIC: HardSphere<f64> = HardSphere { restitution: 1.0 };
 
@@ -19,7 +22,7 @@ fn soft_grains_in_a_corner_keep_going() {
             let i = f64::from(i);
             Grain::with_mass(0.5, 1.0).at([2.0 + 1.5 * i, 3.0 + 0.3 * i])
         });
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .walls([[0.0, 10.0]; 2])
             .gravity([-5.0, -9.81])
             .rule(Soft::linear_dashpot(damped_spring(), Outside::HardSphere))
@@ -40,7 +43,7 @@ fn soft_grains_in_a_corner_keep_going() {
 fn the_first_example_runs_on() {
     let rubber = Viscoelastic { young: 5.0e6, poisson: 0.4, dissipation: 1.0e-4 };
     let mut memory = Memory::<f32, 2, 32>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .walls([[0.0, 0.05], [0.0, 0.05]])
         .gravity([0.0, -9.81])
         .rule(Soft::viscoelastic(rubber, Outside::HardSphere))
@@ -64,7 +67,7 @@ fn gravity_set_every_frame_hides_no_collision() {
     let run = |every_frame: bool| {
         let mut memory = Memory::<f64, 2, 2>::new();
         let grain = Grain::with_mass(0.5, 1.0);
-        let mut world = World::setup(&mut memory)
+        let mut world = World::builder(&mut memory)
             .periodic([[0.0, 10.0]; 2])
             .rule(ELASTIC)
             .grains([
@@ -80,7 +83,7 @@ fn gravity_set_every_frame_hides_no_collision() {
                 world.set_gravity([0.0, 0.0]).unwrap();
             }
         }
-        world.counters().collisions
+        world.statistics().collisions
     };
     assert_eq!(run(false), run(true));
     assert!(run(true) > 0);
@@ -90,7 +93,7 @@ fn gravity_set_every_frame_hides_no_collision() {
 #[test]
 fn the_same_instant_can_be_asked_for_twice() {
     let mut memory = Memory::<f32, 1, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .rule(HardSphere { restitution: 1.0 })
         .grain(Grain::with_mass(0.5, 1.0).moving([0.3]))
         .unwrap()
@@ -110,18 +113,18 @@ fn the_same_instant_can_be_asked_for_twice() {
 /// Memory with one short slice.
 struct Short {
     bodies: Vec<Body<f64, 1>>,
-    slots: Vec<Slot<f64>>,
+    events: Vec<ScheduledEvent<f64>>,
     tree: Vec<u32>,
     links: Vec<Link>,
     heads: Vec<u32>,
     planes: Vec<Plane<f64, 1>>,
 }
 
-impl Lend<f64, 1> for Short {
-    fn lend(&mut self) -> Room<'_, f64, 1> {
-        Room {
+impl Storage<f64, 1> for Short {
+    fn buffers(&mut self) -> Buffers<'_, f64, 1> {
+        Buffers {
             bodies: &mut self.bodies,
-            slots: &mut self.slots,
+            events: &mut self.events,
             tree: &mut self.tree,
             links: &mut self.links,
             heads: &mut self.heads,
@@ -136,15 +139,15 @@ fn a_short_slice_is_a_full_memory() {
         let n = |which: usize| if which == short { 1 } else { 2 };
         let mut memory = Short {
             bodies: vec![Body::default(); n(0)],
-            slots: vec![Slot::default(); n(1)],
+            events: vec![ScheduledEvent::default(); n(1)],
             tree: vec![0; n(2)],
             links: vec![Link::default(); n(3)],
             heads: vec![],
             planes: vec![],
         };
-        let setup = World::setup(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
+        let setup = World::builder(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
         let second = setup.grain(Grain::with_mass(0.5, 1.0).at([2.0]));
-        assert!(matches!(second, Err(Fault::Full { capacity: 1, .. })), "slice {short}");
+        assert!(matches!(second, Err(Error::Full { capacity: 1, .. })), "slice {short}");
     }
 }
 
@@ -152,7 +155,7 @@ fn a_short_slice_is_a_full_memory() {
 fn a_plane_without_a_place_is_refused() {
     let start = |walls: usize| {
         let mut memory = Memory::<f64, 2, 1, 3>::default();
-        let mut setup = World::setup(&mut memory);
+        let mut setup = World::builder(&mut memory);
         for wall in 0..walls {
             let normal = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][wall];
             setup = setup.plane(Plane::new(normal, -5.0, Surface::Rule));
@@ -160,7 +163,7 @@ fn a_plane_without_a_place_is_refused() {
         setup.rule(ELASTIC).grain(Grain::with_mass(0.5, 1.0)).unwrap().start().map(|_| ())
     };
     assert_eq!(start(3), Ok(()));
-    assert!(matches!(start(4), Err(Fault::Full { capacity: 3, .. })));
+    assert!(matches!(start(4), Err(Error::Full { capacity: 3, .. })));
 }
 
 #[test]
@@ -169,13 +172,13 @@ fn boundaries_that_contradict_each_other_are_refused() {
     let mut memory = Memory::<f64, 1, 2>::new();
     let across =
         Plane { normal: [1.0].into(), offset: 0.0, surface: Surface::Rule, vibration: None };
-    let setup = World::setup(&mut memory).periodic([[0.0, 10.0]]).plane(across);
+    let setup = World::builder(&mut memory).periodic([[0.0, 10.0]]).plane(across);
     assert!(setup.rule(ELASTIC).grain(grain.at([5.0])).unwrap().start().is_err());
     let mut memory = Memory::<f64, 1, 2>::new();
-    let setup = World::setup(&mut memory).periodic([[0.0, 2.0 + 1e-9]]);
+    let setup = World::builder(&mut memory).periodic([[0.0, 2.0 + 1e-9]]);
     assert!(setup.rule(ELASTIC).grain(grain).unwrap().start().is_err(), "a crawl");
     let mut memory = Memory::<f64, 1, 2>::new();
-    let setup = World::setup(&mut memory).periodic([[0.0, 1e-3]]);
+    let setup = World::builder(&mut memory).periodic([[0.0, 1e-3]]);
     let tiny = Grain::with_mass(1e-5, 1.0);
     assert!(setup.rule(ELASTIC).grain(tiny.at([1e308])).unwrap().start().is_err(), "too far");
 }
@@ -189,7 +192,7 @@ fn hostile_snapshots_are_refused() {
     );
     let mut memory = Memory::<f64, 2, 4>::new();
     let grain = Grain::with_mass(0.5, 1.0);
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .hard_walls([[0.0, 10.0]; 2], 0.9)
         .rule(rule)
         .grains([grain.at([2.0, 2.0]).moving([1.0, 0.3]), grain.at([6.0, 2.5])])
@@ -203,14 +206,17 @@ fn hostile_snapshots_are_refused() {
         ("\"normal\":[1.0,0.0]", "\"normal\":[7.0,0.0]"),
         ("\"collisions\":1", "\"collisions\":18446744073709551615"),
         ("\"kind\":\"Release\"", "\"kind\":\"Nothing\""),
-        ("\"partner\":4294967295,\"stamp\":0,\"kind\"", "\"partner\":0,\"stamp\":0,\"kind\""),
+        (
+            "\"partner\":4294967295,\"event_count\":0,\"kind\"",
+            "\"partner\":0,\"event_count\":0,\"kind\"",
+        ),
         ("\"meeting\":1.7976931348623157e+308", "\"meeting\":1.0"),
         ("\"cell\":0", "\"cell\":77"),
     ];
     for (old, new) in refused {
         let bad = text.replacen(old, new, 1);
         assert_ne!(bad, text, "{old} is not in {text}");
-        let saved: Saved<f64, 2, Vec<Body<f64, 2>>, Vec<Slot<f64>>> =
+        let saved: Snapshot<f64, 2, Vec<Body<f64, 2>>, Vec<ScheduledEvent<f64>>> =
             serde_json::from_str(&bad).unwrap();
         let mut memory = Memory::<f64, 2, 4>::new();
         let restored = World::restore(&mut memory, rule, &saved).map(drop);
@@ -222,7 +228,7 @@ fn hostile_snapshots_are_refused() {
 #[test]
 fn a_box_too_large_to_cross_is_never_crossed() {
     let mut memory = Memory::<f64, 2, 1>::new();
-    let mut world = World::setup(&mut memory)
+    let mut world = World::builder(&mut memory)
         .gravity([0.0, 0.7])
         .periodic([[-3.0e243, 3.0e243]; 2])
         .rule(HardSphere { restitution: 1.0 })

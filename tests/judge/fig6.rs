@@ -51,7 +51,7 @@ fn grains(path: &Path6) -> [Grain<f64, 2>; 2] {
     })
 }
 
-fn distance(a: &carom::number::Vector<f64, 2>, b: &[f64; 2]) -> f64 {
+fn distance(a: &carom::scalar::Vector<f64, 2>, b: &[f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
@@ -59,7 +59,7 @@ fn distance(a: &carom::number::Vector<f64, 2>, b: &[f64; 2]) -> f64 {
 fn off(rule: impl Rule<f64>, path: &Path6) -> f64 {
     let mut memory = Memory::<f64, 2, 2>::new();
     let mut world =
-        World::setup(&mut memory).rule(rule).grains(grains(path)).unwrap().start().unwrap();
+        World::builder(&mut memory).rule(rule).grains(grains(path)).unwrap().start().unwrap();
     let mut worst = 0.0_f64;
     for (j, t) in path.t_over_tau.iter().enumerate().filter(|(_, t)| **t > 1.0) {
         world.advance_to(EARLY + t * path.tau).unwrap();
@@ -97,7 +97,7 @@ fn the_turn_puts_both_grains_where_the_reference_does() {
     let mut memory = Memory::<f64, 2, 2>::new();
     let rule = Integrated::new(LAW);
     let mut world =
-        World::setup(&mut memory).rule(rule).grains(grains(&path)).unwrap().start().unwrap();
+        World::builder(&mut memory).rule(rule).grains(grains(&path)).unwrap().start().unwrap();
     world.step().unwrap();
     for i in 0..2 {
         let d = distance(&world.grain(i).unwrap().position, &path.turned[i]);
@@ -111,7 +111,7 @@ fn emd_takes_the_reference_s_wrong_way() {
     let mut memory = Memory::<f64, 2, 2>::new();
     let rule = Central(Integrated::new(LAW));
     let mut world =
-        World::setup(&mut memory).rule(rule).grains(grains(&path)).unwrap().start().unwrap();
+        World::builder(&mut memory).rule(rule).grains(grains(&path)).unwrap().start().unwrap();
     world.step().unwrap();
     let v = [0, 1].map(|i| world.grain(i).unwrap().velocity);
     for (v, wanted) in v.iter().zip(&path.emd_velocity) {

@@ -38,19 +38,19 @@ fn a_cooling_gas_follows_haffs_law_within_two_per_cent() {
     let mut storage = Storage::new(GRAINS);
     let rule = |restitution| HardSphere { restitution };
     // Elastic collisions first, until the velocities are Maxwellian.
-    let mut world = World::setup(&mut storage)
+    let mut world = World::builder(&mut storage)
         .periodic([[0.0, length]; 3])
         .rule(rule(1.0))
         .grains(lattice(length))
         .unwrap()
         .start()
         .unwrap();
-    while world.counters().collisions < 5 * GRAINS as u64 {
+    while world.statistics().collisions < 5 * GRAINS as u64 {
         world.step().unwrap();
     }
     let start: Vec<_> = (0..GRAINS).map(|i| world.grain(i).unwrap()).collect();
     let mut storage = Storage::new(GRAINS);
-    let mut world = World::setup(&mut storage)
+    let mut world = World::builder(&mut storage)
         .periodic([[0.0, length]; 3])
         .rule(rule(RESTITUTION))
         .grains(start)

@@ -30,12 +30,12 @@ fn a_contact_adds_its_virial() {
     let mut storage = Storage::<f64, 3>::new(2);
     let half = 0.5 * SIDE;
     let grain = |(r, v)| Grain::with_mass(RADIUS, MASS).at(r).moving(v);
-    let setup = World::setup(&mut storage).periodic([[-half, half]; 3]);
+    let setup = World::builder(&mut storage).periodic([[-half, half]; 3]);
     let rule = Soft::viscoelastic(law, Outside::Reject);
     let mut world = setup.rule(rule).grains(STARTS.map(grain)).unwrap().start().unwrap();
     let (energy, mut flux) = (world.view().kinetic_energy(), Flux::default());
-    world.advance_watched(UNTIL, &mut flux).unwrap();
-    assert_eq!((world.counters().collisions, world.counters().releases), (1, 2));
+    world.advance_observed(UNTIL, &mut flux).unwrap();
+    assert_eq!((world.statistics().collisions, world.statistics().releases), (1, 2));
     let ends: Vec<_> = (0..2).map(|i| world.grain(i).unwrap()).collect();
     let ends: Vec<_> = ends.iter().map(|g| (g.position.into(), g.velocity.into())).collect();
     let change = moment(&ends) - moment(&STARTS);
@@ -49,7 +49,7 @@ fn a_contact_adds_its_virial() {
 fn by_force(law: Viscoelastic<f64>) -> f64 {
     let grain =
         |(position, velocity)| reference::Grain { radius: RADIUS, mass: MASS, position, velocity };
-    let sides = [Boundary::Periodic { lo: -0.5 * SIDE, hi: 0.5 * SIDE }; 3];
+    let sides = [Boundary::PeriodicAxis { lo: -0.5 * SIDE, hi: 0.5 * SIDE }; 3];
     let system = System::new(STARTS.map(grain).to_vec(), sides, [0.0; 3]).unwrap();
     let law = ForceLaw::Viscoelastic { young: law.young, poisson: POISSON, dissipation: 0.0 };
     let options = VerletOptions { steps_per_contact: 500.0, ..VerletOptions::default() };

@@ -111,7 +111,7 @@ impl Points {
 fn the_engine_shakes_a_column_as_an_event_loop_of_a_page_does() {
     let column = fig7::column(5.0, 3);
     let times: Vec<f64> = (1..=60).map(|k| 0.005 * f64::from(k)).collect();
-    let (rows, counters) = column.by_ed(&times).unwrap();
+    let (rows, statistics) = column.by_ed(&times).unwrap();
     let mut points = Points::start(&column);
     for (t, row) in times.iter().zip(rows) {
         points.advance(&column, *t);
@@ -121,7 +121,7 @@ fn the_engine_shakes_a_column_as_an_event_loop_of_a_page_does() {
             assert!(apart < 1e-7 * column.amplitude, "t = {t}, bead {k}: {apart:e}");
         }
     }
-    assert!(counters.collisions + counters.plane_collisions > 20, "{counters:?}");
+    assert!(statistics.collisions + statistics.plane_collisions > 20, "{statistics:?}");
 }
 
 /// h_cm − h_cm0 of the figure's ten beads, against the mean height of ten points.

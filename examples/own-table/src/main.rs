@@ -1,6 +1,6 @@
 //! What does the table of this package's build.rs say? Reads the table; prints its certificate and one collision.
 
-use carom::law::tables::read::Groups;
+use carom::law::embedded::read::Groups;
 
 include!(concat!(env!("OUT_DIR"), "/rubber.rs"));
 

@@ -1,6 +1,6 @@
 //! How does one contact go, step by step? Reads law and scaled groups; writes the matrix of restitution to about 1e-9.
 
-use carom::law::tables::read::{Groups, ScaledRestitution};
+use carom::law::embedded::read::{Groups, ScaledRestitution};
 
 /// Steps for a time of π T, about one contact.
 const STEPS: f64 = 2000.0;

@@ -12,35 +12,35 @@ mod plan;
 mod rule;
 
 use carom::law::{LinearDashpot, Outside, Viscoelastic};
-use carom::{Fault, Memory, World};
+use carom::{Error, Memory, World};
 use core::fmt::Write;
 use live::{COUNTERS, Shown};
-use plan::{D, MOST_GRAINS, Plan, WORDS, first};
+use plan::{D, MAX_GRAINS, Plan, WORDS, first};
 use rule::{Chosen, Material};
 use spin::Mutex;
 use static_cell::StaticCell;
 
 /// What JavaScript asked for, until the start.
 static PLAN: Mutex<Plan> = Mutex::new(Plan::new());
-static MEMORY: StaticCell<Memory<f64, D, MOST_GRAINS>> = StaticCell::new();
+static MEMORY: StaticCell<Memory<f64, D, MAX_GRAINS>> = StaticCell::new();
 static WORLD: Mutex<Option<World<'static, f64, D, Chosen>>> = Mutex::new(None);
 /// All zeros, so that it takes no place in the file.
 static DESK: Mutex<Desk> = Mutex::new(Desk {
-    grains: [[0.0; WORDS]; MOST_GRAINS],
+    grains: [[0.0; WORDS]; MAX_GRAINS],
     shown: Shown::new(),
     fault: heapless::String::new(),
 });
 
 /// What lies open for JavaScript.
 struct Desk {
-    grains: [[f64; WORDS]; MOST_GRAINS],
+    grains: [[f64; WORDS]; MAX_GRAINS],
     shown: Shown,
     fault: heapless::String<512>,
 }
 
 impl Desk {
     /// Zero if it went well; else one, and the fault can be read.
-    fn say(&mut self, result: Result<(), Fault>) -> u32 {
+    fn say(&mut self, result: Result<(), Error>) -> u32 {
         let Err(fault) = result else { return 0 };
         self.refuse(format_args!("{fault}"))
     }
@@ -67,13 +67,13 @@ impl Desk {
     /// Does something with the world and shows what became of it.
     fn act(
         &mut self,
-        deed: impl FnOnce(&mut World<'static, f64, D, Chosen>) -> Result<(), Fault>,
+        outcome: impl FnOnce(&mut World<'static, f64, D, Chosen>) -> Result<(), Error>,
     ) -> u32 {
         let mut world = WORLD.lock();
         let Some(world) = world.as_mut() else {
             return self.refuse(format_args!("the world has not been started"));
         };
-        let result = deed(world);
+        let result = outcome(world);
         self.shown.write(world);
         self.say(result)
     }
@@ -81,7 +81,7 @@ impl Desk {
 
 /// The next event, if there is one; a copy of the engine's loop is large, so there is only this.
 #[inline(never)]
-fn one(world: &mut World<'static, f64, D, Chosen>) -> Result<bool, Fault> {
+fn one(world: &mut World<'static, f64, D, Chosen>) -> Result<bool, Error> {
     world.step().map(|happened| happened.is_some())
 }
 
@@ -173,8 +173,8 @@ extern "C" fn digest() -> u64 {
     WORLD.lock().as_ref().map_or(0, World::digest)
 }
 
-/// Where things are: 0: the table of grains, 1: positions, 2: velocities, 3: states, 4: counters,
-/// 5: now, next, energy, 6: the fault's text, 7: the counters' names.
+/// Where things are: 0: the table of grains, 1: positions, 2: velocities, 3: states, 4: statistics,
+/// 5: now, next, energy, 6: the fault's text, 7: the statistics' names.
 #[unsafe(no_mangle)]
 extern "C" fn address(of: u32) -> *const u8 {
     let desk = DESK.lock();
@@ -183,7 +183,7 @@ extern "C" fn address(of: u32) -> *const u8 {
         1 => desk.shown.positions.as_ptr().cast(),
         2 => desk.shown.velocities.as_ptr().cast(),
         3 => desk.shown.states.as_ptr(),
-        4 => desk.shown.counters.as_ptr().cast(),
+        4 => desk.shown.statistics.as_ptr().cast(),
         5 => desk.shown.clock.as_ptr().cast(),
         6 => desk.fault.as_ptr(),
         _ => COUNTERS.as_ptr(),

@@ -1,9 +1,9 @@
 //! What does the page want? Keeps what JavaScript described until the world starts; reads it, writes carom's setup.
 
 use crate::rule::{Chosen, Material};
-use carom::matter::boundary::MOST_PLANES;
-use carom::matter::{Plane, Surface, Vibration};
-use carom::{Fault, Grain, Memory, World};
+use carom::space::MAX_PLANES;
+use carom::space::{Plane, Surface, Vibration};
+use carom::{Error, Grain, Memory, World};
 
 /// The dimension of this module's worlds.
 pub const D: usize = if cfg!(feature = "line") {
@@ -14,7 +14,7 @@ pub const D: usize = if cfg!(feature = "line") {
     2
 };
 /// The most grains of a world.
-pub const MOST_GRAINS: usize = 500;
+pub const MAX_GRAINS: usize = 500;
 /// Numbers that describe a grain: radius, mass, material, position, velocity.
 pub const WORDS: usize = 9;
 
@@ -24,7 +24,7 @@ pub type Wall = [f64; 8];
 /// Everything but the grains.
 pub struct Plan {
     /// One plane more than carom takes, so that it is carom that refuses it.
-    pub planes: heapless::Vec<Wall, { MOST_PLANES + 1 }>,
+    pub planes: heapless::Vec<Wall, { MAX_PLANES + 1 }>,
     /// Low and high end of the periodic axes.
     pub periodic: [Option<[f64; 2]>; 3],
     /// Gravity.
@@ -51,11 +51,11 @@ impl Plan {
     /// The world, started in this memory.
     pub fn start(
         &self,
-        memory: &'static mut Memory<f64, D, MOST_GRAINS>,
+        memory: &'static mut Memory<f64, D, MAX_GRAINS>,
         grains: &[[f64; WORDS]],
-    ) -> Result<World<'static, f64, D, Chosen>, Fault> {
+    ) -> Result<World<'static, f64, D, Chosen>, Error> {
         let mut setup =
-            World::setup(memory).gravity(first(&self.gravity)).tc(self.t_c).rule(self.rule);
+            World::builder(memory).gravity(first(&self.gravity)).tc(self.t_c).rule(self.rule);
         for wall in &self.planes {
             setup = setup.plane(plane(wall));
         }

@@ -1,13 +1,13 @@
-//! What do two grains do, by the method the page chose? Reads an encounter; writes its outcome, from table or integral.
+//! What do two grains do, by the method the page chose? Reads an impact; writes its outcome, from table or integral.
 
 use crate::integrate;
-use carom::law::force::ForceLaw;
-use carom::law::tables::read::Law;
+use carom::law::ForceLaw;
+use carom::law::embedded::read::Law;
 use carom::law::{
-    Answer, Central, Encounter, HardSphere, LinearDashpot, Outside, Response, Rule, Soft,
+    Answer, Central, Impact, HardSphere, LinearDashpot, Outside, Response, Rule, Soft,
     Viscoelastic,
 };
-use carom::{Fault, law};
+use carom::{Error, law};
 use core::sync::atomic::{AtomicU64, Ordering};
 
 /// How often a contact was integrated because it lies outside its law's table.
@@ -36,15 +36,15 @@ pub struct Chosen {
 }
 
 impl Rule<f64> for Chosen {
-    fn meet(&self, encounter: &Encounter<f64>) -> Answer<f64> {
+    fn meet(&self, impact: &Impact<f64>) -> Answer<f64> {
         match self.material {
-            Material::Hard(restitution) => HardSphere { restitution }.meet(encounter),
-            Material::Linear(law) => self.soft(law, law::tables::linear_dashpot(), encounter),
-            Material::Viscoelastic(law) => self.soft(law, law::tables::viscoelastic(), encounter),
+            Material::Hard(restitution) => HardSphere { restitution }.meet(impact),
+            Material::Linear(law) => self.soft(law, law::embedded::linear_dashpot(), impact),
+            Material::Viscoelastic(law) => self.soft(law, law::embedded::viscoelastic(), impact),
         }
     }
 
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Error> {
         match self.material {
             Material::Hard(restitution) => HardSphere { restitution }.check(),
             Material::Linear(law) => law.check(),
@@ -57,31 +57,31 @@ impl Chosen {
     fn soft<L: ForceLaw<f64> + Copy>(
         &self,
         law: L,
-        table: &'static law::tables::read::Table<law::tables::Stored>,
-        encounter: &Encounter<f64>,
+        table: &'static law::embedded::read::Table<law::embedded::Stored>,
+        impact: &Impact<f64>,
     ) -> Answer<f64> {
         let table = Soft::with_table(law, table, self.outside.unwrap_or(Outside::Reject));
         let rule = OrIntegrated { law, table, integrate: self.outside.is_none() };
-        if self.lasting { rule.meet(encounter) } else { Central(rule).meet(encounter) }
+        if self.lasting { rule.meet(impact) } else { Central(rule).meet(impact) }
     }
 }
 
 /// A rule of one's own: the table where it holds, the contact equation beyond.
 struct OrIntegrated<L> {
     law: L,
-    table: Soft<L, law::tables::Stored>,
+    table: Soft<L, law::embedded::Stored>,
     integrate: bool,
 }
 
 impl<L: ForceLaw<f64>> Rule<f64> for OrIntegrated<L> {
-    fn meet(&self, encounter: &Encounter<f64>) -> Answer<f64> {
-        let answer = self.table.meet(encounter);
+    fn meet(&self, impact: &Impact<f64>) -> Answer<f64> {
+        let answer = self.table.meet(impact);
         if !(self.integrate && matches!(answer.response, Response::Refused { .. })) {
             return answer;
         }
         INTEGRATED.fetch_add(1, Ordering::Relaxed);
-        let scales = self.law.scales(encounter);
-        let scaled = integrate::contact(L::LAW == Law::LinearDashpot, &encounter.groups(&scales));
-        Answer::sure(Response::Lasting(scales.outcome(&scaled)))
+        let scales = self.law.scales(impact);
+        let scaled = integrate::contact(L::LAW == Law::LinearDashpot, &impact.groups(&scales));
+        Answer::exact(Response::Lasting(scales.outcome(&scaled)))
     }
 }

@@ -148,7 +148,7 @@ impl Recipe {
     }
 
     /// The path under which the emitted text finds the module [`read`](crate::read);
-    /// `::carom_tables::read` unless said, `::carom::law::tables::read` in a program that uses carom.
+    /// `::carom_tables::read` unless said, `::carom::law::embedded::read` in a program that uses carom.
     #[must_use]
     pub fn reader_path(mut self, path: &str) -> Self {
         self.reader_path = path.into();

@@ -2,9 +2,9 @@
 
 use super::draw::Draw;
 use super::play::Any;
-use carom::matter::{Plane, Surface};
-use carom::world::Happening;
-use carom::{Fault, Instant, Scalar};
+use carom::space::{Plane, Surface};
+use carom::world::Event;
+use carom::{Error, Instant, Scalar};
 
 /// What was true before.
 pub struct Judge {
@@ -40,8 +40,8 @@ impl Judge {
     }
 
     /// A fault must be one that the input explains.
-    pub fn look<T>(&self, result: Result<T, Fault>, draw: &Draw<'_>) -> Result<T, Fault> {
-        if let Err(fault @ (Fault::NotFinite { .. } | Fault::BadRule { .. })) = &result {
+    pub fn look<T>(&self, result: Result<T, Error>, draw: &Draw<'_>) -> Result<T, Error> {
+        if let Err(fault @ (Error::NotFinite { .. } | Error::BadRule { .. })) = &result {
             assert!(!draw.tame, "tame numbers, and yet: {fault}");
         }
         result
@@ -51,13 +51,13 @@ impl Judge {
     pub fn happened<S: Scalar, const D: usize>(
         &self,
         world: &Any<'_, '_, S, D>,
-        happening: &Happening<S>,
+        event: &Event<S>,
         draw: &Draw<'_>,
     ) {
         let count = world.view().len();
-        assert!(happening.grain < count, "grain {} of {count}", happening.grain);
+        assert!(event.grain < count, "grain {} of {count}", event.grain);
         if draw.tame {
-            let grain = world.grain(happening.grain).unwrap();
+            let grain = world.grain(event.grain).unwrap();
             let numbers = grain.position.iter().chain(grain.velocity.iter());
             assert!(numbers.copied().all(S::is_number), "{grain:?}");
         }
@@ -82,7 +82,7 @@ impl Judge {
     fn walls<S: Scalar, const D: usize>(&self, world: &Any<'_, '_, S, D>) {
         let view = world.view();
         for (i, grain) in (0..view.len()).filter_map(|i| Some((i, view.grain(i)?))) {
-            let size = grain.position.iter().fold(S::one(), |far, x| far.larger(x.magnitude()));
+            let size = grain.position.iter().fold(S::one(), |far, x| far.max(x.abs()));
             let rounding = size.to_f64() * S::RESOLUTION.to_f64() * 1e3;
             for plane in view.boundary().planes().iter().filter(|plane| judged(plane)) {
                 let (place, blur) = place(plane, view.now());
@@ -95,11 +95,11 @@ impl Judge {
 
     /// Without gravity, and inside the tables, kinetic energy never grows.
     fn energies<S: Scalar, const D: usize>(&mut self, world: &Any<'_, '_, S, D>) {
-        let counters = world.counters();
+        let statistics = world.statistics();
         let energy = world.view().kinetic_energy().to_f64();
-        let collisions = counters.collisions + counters.plane_collisions;
+        let collisions = statistics.collisions + statistics.plane_collisions;
         let more = (collisions - self.collisions) as f64;
-        if !self.driven && counters.clamped == 0 {
+        if !self.driven && statistics.clamped == 0 {
             let allowed = self.energy * (1.0 + self.gain).powf(more) + f64::from(f32::MIN_POSITIVE);
             assert!(energy <= allowed, "{more} collisions brought {} to {energy}", self.energy);
         }

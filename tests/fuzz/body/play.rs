@@ -5,7 +5,7 @@ use super::judge::Judge;
 use super::snapshot;
 use super::world::Store;
 use carom::law::Rule;
-use carom::{Fault, Instant, Scalar, World};
+use carom::{Error, Instant, Scalar, World};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -27,7 +27,7 @@ pub fn play<'r, S, const D: usize>(
     draw: &mut Draw<'_>,
     mut judge: Judge,
     depth: u8,
-) -> Result<(), Fault>
+) -> Result<(), Error>
 where
     S: Scalar + Serialize + DeserializeOwned,
 {
@@ -55,13 +55,13 @@ fn steps<S: Scalar, const D: usize>(
     count: u32,
     draw: &Draw<'_>,
     judge: &mut Judge,
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     for _ in 0..count {
         judge.steps += 1;
         let step = judge.look(world.step(), draw)?;
         judge.clock(world.now());
         match step {
-            Some(happening) => judge.happened(world, &happening, draw),
+            Some(event) => judge.happened(world, &event, draw),
             None => break,
         }
     }
@@ -75,13 +75,13 @@ fn advance<S: Scalar, const D: usize>(
     world: &mut Any<'_, '_, S, D>,
     part: f64,
     judge: &mut Judge,
-) -> Result<(), Fault> {
+) -> Result<(), Error> {
     let now = world.now();
     let Some(next) = world.next_event_time().filter(|next| *next > now) else { return Ok(()) };
     let to = if part < 1.0 { now + Instant::from(next.since::<f64>(now) * part) } else { next };
-    let before = world.counters().events();
+    let before = world.statistics().events();
     world.advance_to(to)?;
-    judge.steps += u32::try_from(world.counters().events() - before).unwrap_or(STEPS) + 1;
+    judge.steps += u32::try_from(world.statistics().events() - before).unwrap_or(STEPS) + 1;
     assert!(world.now() <= to, "asked for {to}, is {}", world.now());
     judge.clock(world.now());
     Ok(())
@@ -92,7 +92,7 @@ fn past<S: Scalar, const D: usize>(world: &mut Any<'_, '_, S, D>) {
     let now = world.now();
     if now > Instant::START {
         let refused = world.advance_to(Instant::START);
-        assert!(matches!(refused, Err(Fault::Past { .. })), "{refused:?}");
+        assert!(matches!(refused, Err(Error::Past { .. })), "{refused:?}");
     }
     assert_eq!(world.now(), now);
 }
@@ -104,7 +104,7 @@ fn again<'r, S, const D: usize>(
     draw: &mut Draw<'_>,
     mut judge: Judge,
     depth: u8,
-) -> Result<(), Fault>
+) -> Result<(), Error>
 where
     S: Scalar + Serialize + DeserializeOwned,
 {

@@ -2,7 +2,7 @@
 
 use super::draw::Draw;
 use carom::Scalar;
-use carom::law::tables::{Stored, compact, read::Table, standard, wide};
+use carom::law::embedded::{Stored, compact, read::Table, standard, wide};
 use carom::law::{
     ByMaterial, Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic,
 };
@@ -30,7 +30,7 @@ pub fn rule<S: Scalar>(draw: &mut Draw<'_>) -> Drawn<S> {
         ),
         4 => {
             let law = lsd(draw);
-            let table = carom::law::tables::linear_dashpot();
+            let table = carom::law::embedded::linear_dashpot();
             let rule = Central(Soft::with_table(law, table, Outside::Clamp));
             Drawn { rule: Box::new(rule), gain: 1e-3 }
         }

@@ -42,7 +42,7 @@ fn go(method: &mut dyn Method, scenario: &Scenario) -> Result<()> {
         method.advance_to(end * 0.5_f64.powi(look))?;
         assert!(method.time() >= before, "time went back from {before} to {}", method.time());
         assert!(!method.kinetic_energy().is_nan(), "kinetic energy is not a number");
-        let events: u64 = method.counters().iter().map(|(_, count)| count).sum();
+        let events: u64 = method.statistics().iter().map(|(_, count)| count).sum();
         if events > EVENTS {
             break;
         }

@@ -3,10 +3,10 @@
 use super::draw::Draw;
 use super::play::Any;
 use super::world::Store;
-use carom::event::Slot;
 use carom::law::Rule;
-use carom::matter::Body;
-use carom::world::Saved;
+use carom::particle::Body;
+use carom::world::ScheduledEvent;
+use carom::world::Snapshot;
 use carom::{Scalar, World};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -31,7 +31,8 @@ pub fn hostile<S, const D: usize>(
     if let Some(number) = numbers.into_iter().nth(which % count) {
         *number = other(draw);
     }
-    let Ok(saved) = serde_json::from_value::<Saved<S, D, Vec<Body<S, D>>, Vec<Slot<S>>>>(value)
+    let Ok(saved) =
+        serde_json::from_value::<Snapshot<S, D, Vec<Body<S, D>>, Vec<ScheduledEvent<S>>>>(value)
     else {
         return;
     };

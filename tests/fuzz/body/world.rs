@@ -5,9 +5,9 @@ use super::judge::Judge;
 use super::play::play;
 use super::rule::{self, Drawn};
 use carom::law::Rule;
-use carom::matter::{Plane, Surface, Vibration};
-use carom::world::{NoRule, Setup};
-use carom::{Fault, Grain, Memory, Release, Scalar, World};
+use carom::space::{Plane, Surface, Vibration};
+use carom::world::{NoRule, WorldBuilder};
+use carom::{Error, Grain, Memory, Release, Scalar, World};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -21,7 +21,7 @@ pub type Store<S, const D: usize> = Memory<S, D, MOST>;
 ///
 /// # Errors
 /// The fault with which it refused, for whoever wants to know.
-pub fn run(bytes: &[u8]) -> Result<(), Fault> {
+pub fn run(bytes: &[u8]) -> Result<(), Error> {
     let mut draw = Draw::new(bytes);
     match draw.below(6) {
         0 => of::<f64, 1>(&mut draw),
@@ -33,14 +33,14 @@ pub fn run(bytes: &[u8]) -> Result<(), Fault> {
     }
 }
 
-fn of<S, const D: usize>(draw: &mut Draw<'_>) -> Result<(), Fault>
+fn of<S, const D: usize>(draw: &mut Draw<'_>) -> Result<(), Error>
 where
     S: Scalar + Serialize + DeserializeOwned,
 {
     let Drawn { rule, gain } = rule::rule::<S>(draw);
     let sites = Sites::new(draw);
     let mut memory = Box::new(Store::<S, D>::new());
-    let mut setup = World::setup(&mut *memory);
+    let mut setup = World::builder(&mut *memory);
     for axis in 0..D {
         setup = side(setup, draw, axis, &sites);
     }
@@ -74,11 +74,11 @@ impl Sites {
 
 /// One axis: open, periodic, soft walls or hard ones, tight or with some room, at rest or shaken.
 fn side<'m, S: Scalar, const D: usize>(
-    setup: Setup<'m, S, D, NoRule>,
+    setup: WorldBuilder<'m, S, D, NoRule>,
     draw: &mut Draw<'_>,
     axis: usize,
     sites: &Sites,
-) -> Setup<'m, S, D, NoRule> {
+) -> WorldBuilder<'m, S, D, NoRule> {
     let kind = draw.below(8);
     let slack = if draw.below(2) == 0 { 0.0 } else { draw.size() };
     let (low, high) = (S::zero(), S::from_f64(sites.length() + slack));
@@ -111,9 +111,9 @@ fn vibration<S: Scalar>(draw: &mut Draw<'_>) -> Option<Vibration<S>> {
 
 /// Sometimes a plane that stands across no axis, or is not one.
 fn tilted<'m, S: Scalar, const D: usize>(
-    setup: Setup<'m, S, D, NoRule>,
+    setup: WorldBuilder<'m, S, D, NoRule>,
     draw: &mut Draw<'_>,
-) -> Setup<'m, S, D, NoRule> {
+) -> WorldBuilder<'m, S, D, NoRule> {
     let kind = draw.below(16);
     if kind < 12 {
         return setup;

@@ -9,7 +9,7 @@ pub mod replay;
 pub mod stack;
 
 use carom::Instant;
-use carom::law::tables::{Embedded, read::Table};
+use carom::law::embedded::{Embedded, read::Table};
 use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
 use cortex_m::peripheral::syst::SystClkSource;
@@ -38,7 +38,7 @@ pub const STACK: usize = 0x2000_0040;
 pub type Number = f32;
 /// The number of this board's tilt box: fixed point where there is no floating-point unit.
 #[cfg(not(target_abi = "eabihf"))]
-pub type Number = carom::number::I32F32;
+pub type Number = carom::scalar::I32F32;
 
 /// The table of this board's tilt box: the compact one where flash is short.
 #[must_use]

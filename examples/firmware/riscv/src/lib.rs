@@ -9,7 +9,7 @@ pub mod replay;
 pub mod stack;
 
 use carom::Instant;
-use carom::law::tables::{Embedded, read::Table};
+use carom::law::embedded::{Embedded, read::Table};
 use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
 use semihosting::sys::arm_compat::sys_writec;
@@ -18,7 +18,7 @@ use semihosting::sys::arm_compat::sys_writec;
 pub const STACK: usize = 0x8040_0040;
 
 /// The number of this board's tilt box: fixed point, for there is no floating-point unit.
-pub type Number = carom::number::I32F32;
+pub type Number = carom::scalar::I32F32;
 
 /// The table of this board's tilt box: the compact one.
 #[must_use]

@@ -4,7 +4,7 @@
 
 use core::sync::atomic::{AtomicU64, Ordering};
 
-use carom::number::I32F32;
+use carom::scalar::I32F32;
 use carom_scenes::replay::{Run, Told, replay};
 use carom_scenes::{Event, Scene};
 

@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use carom::law::tables::Embedded;
+use carom::law::embedded::Embedded;
 use carom_cortex_m::{Chip, M4F, MPS2, Number, STACK, app};
 use carom_scenes::Number as _;
 use cortex_m_rt::entry;
