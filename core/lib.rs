@@ -76,4 +76,4 @@ pub mod world;
 pub use error::Error;
 pub use particle::Grain;
 pub use scalar::{Instant, Scalar};
-pub use world::{Memory, Observer, Storage, View, World};
+pub use world::{Memory, Observer, Release, Statistics, Storage, View, World};

@@ -33,6 +33,8 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     respond(context, [i, k], &[a, b], (&frame, response))
 }
 
+// One caller: as a function of its own it would copy both bodies.
+#[inline(always)]
 fn respond<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     who: [usize; 2],
@@ -46,9 +48,11 @@ fn respond<S: Scalar, const D: usize>(
     };
     context.count(Incident::Collision);
     let is_slow = rest::is_slow(context, pair, frame, [restitution, duration]);
-    let ([i, k], [a, b]) = (who, pair);
-    let pair = [(i, a), (k, b)]
-        .map(|body| rest::count_slow_collision(context, body, (is_slow, frame.radial)));
+    let ([i, k], [a, b], pace) = (who, pair, (is_slow, frame.radial));
+    let pair = [
+        rest::count_slow_collision(context, (i, a), pace),
+        rest::count_slow_collision(context, (k, b), pace),
+    ];
     if is_slow && rest::pair_comes_to_rest(context, who, &pair, frame) {
         return Ok(EventOutcome::CameToRest);
     }

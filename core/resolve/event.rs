@@ -14,6 +14,7 @@ use crate::space::CellFace;
 ///
 /// # Errors
 /// What the rule refuses, and what it cannot answer for.
+#[inline]
 pub(crate) fn resolve<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     rule: &impl Rule<S>,
@@ -32,6 +33,7 @@ pub(crate) fn resolve<S: Scalar, const D: usize>(
 }
 
 /// Grain `i` touches its partner. If either is still in another contact, that is all that ends.
+#[inline]
 fn touch<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     rule: &impl Rule<S>,

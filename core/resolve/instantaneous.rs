@@ -46,8 +46,6 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     let away = (restitution * speed).max(least);
     let change = frame.e_r * (speed + away);
     let mass = a.mass + b.mass;
-    let counted =
-        |body: &Body<S, D>, count| Body { consecutive_collisions: kept(body, count), ..*body };
     wake::kick(context, i, &counted(a, x), change * (b.mass / mass));
     wake::kick(context, k, &counted(b, y), -change * (a.mass / mass));
     Ok(EventOutcome::Collision { restitution })
@@ -82,7 +80,7 @@ pub(super) fn reflect<S: Scalar, const D: usize>(
     if dot(&normal, &(body.velocity + change)) < context.domain.plane_speed(p, context.now()) {
         change += normal * min_parting_speed(&body.velocity);
     }
-    wake::kick(context, i, &Body { consecutive_collisions: kept(body, count), ..*body }, change);
+    wake::kick(context, i, &counted(body, count), change);
     Ok(EventOutcome::Collision { restitution })
 }
 
@@ -92,9 +90,11 @@ fn min_parting_speed<S: Scalar, const D: usize>(velocity: &Vector<S, D>) -> S {
     max_abs(velocity).rounding() * S::from_f32(4.0)
 }
 
-/// A body that sleeps goes on until it is kicked.
-fn kept<S: Scalar, const D: usize>(body: &Body<S, D>, count: u16) -> u16 {
-    if body.is_asleep() { body.consecutive_collisions } else { count }
+/// The body with this count of collisions. One that sleeps goes on until it is kicked.
+#[inline]
+fn counted<S: Scalar, const D: usize>(body: &Body<S, D>, count: u16) -> Body<S, D> {
+    let consecutive_collisions = if body.is_asleep() { body.consecutive_collisions } else { count };
+    Body { consecutive_collisions, ..*body }
 }
 
 /// How many collisions the body has had right after each other, this one included: it flew less than

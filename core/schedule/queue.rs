@@ -46,6 +46,7 @@ impl<'m, S: Scalar> EventQueue<'m, S> {
     }
 
     /// Puts a grain's event in its place.
+    #[inline]
     pub(crate) fn set(&mut self, grain: usize, event: ScheduledEvent<S>) {
         if let Some(place) = self.events.get_mut(grain) {
             *place = event;

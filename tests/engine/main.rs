@@ -11,7 +11,6 @@ mod piles;
 mod plates;
 mod range;
 mod rest;
-mod rooms;
 mod saved;
 mod symmetry;
 mod time;
