@@ -92,7 +92,7 @@ impl<S: Scalar, const D: usize> Body<S, D> {
         Self { consecutive_collisions: Self::ASLEEP, ..self }
     }
 
-    /// The same body, held by nothing.
+    /// The same body, supported by nothing.
     pub(crate) fn awake(self) -> Self {
         Self {
             planes: 0,

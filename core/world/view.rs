@@ -69,7 +69,7 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
         Some((body.partner, self.clock.instant_of(body.contact_end)))
     }
 
-    /// Whether a grain is at rest: frozen among what holds it, or on a plane, on which it may slide.
+    /// Whether a grain is at rest: asleep among what supports it, or on a plane, on which it may slide.
     #[must_use]
     pub fn is_at_rest(&self, index: usize) -> bool {
         self.particles.body(index).is_some_and(Body::is_supported)
