@@ -5,12 +5,12 @@
 //! collision is the method's own, and its growth with the collision number is the gas's.
 
 use crate::integrated::Integrated;
-use crate::reference::{
-    self, Boundary, End, EventKind, Exact, ForceLaw, Partner, ReferenceError, System,
-};
 use crate::storage::Storage;
 use carom::law::{Central, Outside, Rule, Soft, Viscoelastic};
 use carom::{Fault, Grain, World};
+use carom_reference::{
+    self, Boundary, End, EventKind, Exact, ForceLaw, Partner, ReferenceError, System,
+};
 use rand::{RngExt, SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
@@ -186,8 +186,8 @@ fn judge(grains: &[Grain<f64, 3>], collisions: usize) -> Result<Vec<Sample>, Ref
     times.into_iter().map(|time| sample(&mut run, time)).collect()
 }
 
-fn for_reference(grain: &Grain<f64, 3>) -> reference::Grain<3> {
-    reference::Grain {
+fn for_reference(grain: &Grain<f64, 3>) -> carom_reference::Grain<3> {
+    carom_reference::Grain {
         radius: grain.radius,
         mass: grain.mass,
         position: grain.position.into(),

@@ -15,7 +15,6 @@ pub mod integrated;
 pub mod method;
 pub mod output;
 pub mod plot;
-pub mod reference;
 pub mod report;
 pub mod run;
 pub mod scale;

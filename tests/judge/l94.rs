@@ -5,7 +5,7 @@ use carom_host::figure::l94::fig2::{self, every_ed, impact, separations, ten};
 use carom_host::figure::l94::fig4;
 use carom_host::figure::l94::fit;
 use carom_host::figure::l94::table1::{ROWS, measured, theory};
-use carom_host::reference::ForceLaw;
+use carom_reference::ForceLaw;
 
 /// Column `name` of a table of the reference data, as numbers.
 fn table(text: &str, names: [&str; 4]) -> Vec<[f64; 4]> {

@@ -6,8 +6,8 @@ use carom_host::figure::hard::theory;
 use carom_host::figure::l94::fit;
 use carom_host::figure::mp13::gas::{POISSON, SoftGas};
 use carom_host::figure::mp13::transport::{Effort, Flux, Measured, Way, enskog, measure};
-use carom_host::reference::{self, Boundary, End, ForceLaw, System, Verlet, VerletOptions};
 use carom_host::storage::Storage;
+use carom_reference::{Boundary, End, ForceLaw, System, Verlet, VerletOptions};
 
 const RADIUS: f64 = 0.1;
 const MASS: f64 = 4.775;
@@ -47,8 +47,12 @@ fn a_contact_adds_its_virial() {
 
 /// The same sum by MD, its kinetic part from 15,000 looks.
 fn by_force(law: Viscoelastic<f64>) -> f64 {
-    let grain =
-        |(position, velocity)| reference::Grain { radius: RADIUS, mass: MASS, position, velocity };
+    let grain = |(position, velocity)| carom_reference::Grain {
+        radius: RADIUS,
+        mass: MASS,
+        position,
+        velocity,
+    };
     let sides = [Boundary::Periodic { lo: -0.5 * SIDE, hi: 0.5 * SIDE }; 3];
     let system = System::new(STARTS.map(grain).to_vec(), sides, [0.0; 3]).unwrap();
     let law = ForceLaw::Viscoelastic { young: law.young, poisson: POISSON, dissipation: 0.0 };

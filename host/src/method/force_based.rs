@@ -1,9 +1,9 @@
 //! What does force-based MD say? Reads a run of the reference; writes its state as the comparison wants it.
 
 use super::{Method, three};
-use crate::reference::{self, Exact, Verlet};
 use crate::scenario::{MethodName, Placed, Side, Start};
 use anyhow::Result;
+use carom_reference::{Exact, Verlet};
 
 /// A run of the reference as a method.
 #[derive(Debug)]
@@ -19,12 +19,12 @@ impl<R> ForceBased<R> {
     }
 
     /// Grains with their positions inside the box.
-    fn inside<const D: usize>(&self, grains: Vec<reference::Grain<D>>) -> Vec<Placed> {
+    fn inside<const D: usize>(&self, grains: Vec<carom_reference::Grain<D>>) -> Vec<Placed> {
         let wrap = |axis: usize, x: f64| match self.sides[axis] {
             Side::Periodic([from, to]) => from + (x - from).rem_euclid(to - from),
             _ => x,
         };
-        let placed = |grain: reference::Grain<D>| Placed {
+        let placed = |grain: carom_reference::Grain<D>| Placed {
             radius: grain.radius,
             mass: grain.mass,
             position: three(&std::array::from_fn::<f64, D, _>(|k| wrap(k, grain.position[k]))),
@@ -34,8 +34,9 @@ impl<R> ForceBased<R> {
     }
 }
 
-fn kinetic_energy<const D: usize>(grains: &[reference::Grain<D>]) -> f64 {
-    let square = |grain: &reference::Grain<D>| grain.velocity.iter().map(|v| v * v).sum::<f64>();
+fn kinetic_energy<const D: usize>(grains: &[carom_reference::Grain<D>]) -> f64 {
+    let square =
+        |grain: &carom_reference::Grain<D>| grain.velocity.iter().map(|v| v * v).sum::<f64>();
     grains.iter().map(|grain| 0.5 * grain.mass * square(grain)).sum()
 }
 

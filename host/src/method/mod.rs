@@ -9,13 +9,13 @@ pub use event_driven::{EventDriven, Logged};
 pub use force_based::ForceBased;
 pub use touching::touching;
 
-use crate::reference::{self, Exact, Plate, Verlet, VerletOptions};
 use crate::scenario::{MethodName, Placed, ReleaseSpec, Scenario, Side, Start};
 use crate::storage::Storage;
 use anyhow::{Context, Result};
 use carom::matter::{Plane, Surface, Vibration};
 use carom::world::Setup;
 use carom::{Grain, Release, World};
+use carom_reference::{Exact, Plate, Verlet, VerletOptions};
 
 /// One way to find out what the grains do.
 ///
@@ -93,13 +93,13 @@ fn with_dimension<const D: usize, T>(
     match name {
         MethodName::Md => {
             let (system, law) = system::<D>(scenario, start)?;
-            let (end, options) = (reference::End::Force, VerletOptions::default());
+            let (end, options) = (carom_reference::End::Force, VerletOptions::default());
             let run = Verlet::new(&system, law, end, options).with_context(context)?;
             work(&mut ForceBased::new(run, start)).with_context(context)
         }
         MethodName::Exact => {
             let (system, law) = system::<D>(scenario, start)?;
-            let run = Exact::new(system, law, reference::End::Force).with_context(context)?;
+            let run = Exact::new(system, law, carom_reference::End::Force).with_context(context)?;
             work(&mut ForceBased::new(run, start)).with_context(context)
         }
         MethodName::Emd | MethodName::EmdStar => {
@@ -180,20 +180,22 @@ fn plate_below<const D: usize>(
 fn system<const D: usize>(
     scenario: &Scenario,
     start: &Start,
-) -> Result<(reference::System<D>, reference::ForceLaw)> {
+) -> Result<(carom_reference::System<D>, carom_reference::ForceLaw)> {
     let boundary = std::array::from_fn(|axis| match start.sides[axis] {
-        Side::Periodic([lo, hi]) => reference::Boundary::Periodic { lo, hi },
-        Side::Soft([lo, hi]) | Side::Hard([lo, hi], _) => reference::Boundary::Walls { lo, hi },
-        Side::Plate(plate, _) => reference::Boundary::Plate(plate),
-        Side::Open => reference::Boundary::Open,
+        Side::Periodic([lo, hi]) => carom_reference::Boundary::Periodic { lo, hi },
+        Side::Soft([lo, hi]) | Side::Hard([lo, hi], _) => {
+            carom_reference::Boundary::Walls { lo, hi }
+        }
+        Side::Plate(plate, _) => carom_reference::Boundary::Plate(plate),
+        Side::Open => carom_reference::Boundary::Open,
     });
-    let grains = start.grains.iter().map(|grain| reference::Grain {
+    let grains = start.grains.iter().map(|grain| carom_reference::Grain {
         radius: grain.radius,
         mass: grain.mass,
         position: first(&grain.position),
         velocity: first(&grain.velocity),
     });
-    let system = reference::System::new(grains.collect(), boundary, first(&start.gravity))?;
+    let system = carom_reference::System::new(grains.collect(), boundary, first(&start.gravity))?;
     Ok((system, rule::force_law(scenario)?))
 }
 

@@ -1,7 +1,6 @@
 //! What do the grains of a scenario do when they touch? Reads its law and options; writes nothing, returns rule or force.
 
 use crate::integrated::Integrated;
-use crate::reference;
 use crate::scenario::{LawSpec, MatrixSpec, MethodName, OutsideSpec, Scenario};
 use crate::tables::embedded;
 use anyhow::{Result, bail};
@@ -63,13 +62,13 @@ fn outside(scenario: &Scenario) -> Outside {
 ///
 /// # Errors
 /// When the law has no force.
-pub fn force_law(scenario: &Scenario) -> Result<reference::ForceLaw> {
+pub fn force_law(scenario: &Scenario) -> Result<carom_reference::ForceLaw> {
     match scenario.law {
         LawSpec::Lsd { stiffness, damping } => {
-            Ok(reference::ForceLaw::LinearDashpot { stiffness, damping })
+            Ok(carom_reference::ForceLaw::LinearDashpot { stiffness, damping })
         }
         LawSpec::Viscoelastic { young, poisson, dissipation } => {
-            Ok(reference::ForceLaw::Viscoelastic { young, poisson, dissipation })
+            Ok(carom_reference::ForceLaw::Viscoelastic { young, poisson, dissipation })
         }
         LawSpec::Constant { .. } => bail!("MD needs a force law, but law.kind is constant"),
     }

@@ -1,8 +1,8 @@
 //! Where does everything stand at time 0? Reads a scenario; writes nothing, returns grains and box.
 
 use super::{Scenario, SideSpec, SurfaceSpec, place};
-use crate::reference::Plate;
 use anyhow::{Result, bail};
+use carom_reference::Plate;
 use std::f64::consts::PI;
 
 /// One grain at time 0; components beyond the dimension are 0.

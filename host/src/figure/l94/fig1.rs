@@ -5,8 +5,8 @@ use super::fig2::METHODS;
 use super::hard::{self, Way};
 use super::panels::{self, Diagram};
 use crate::figure::{Figure, Made, Note, Options, Series};
-use crate::reference::ForceLaw;
 use anyhow::Result;
+use carom_reference::ForceLaw;
 
 const BEADS: usize = 10;
 const SPEED: f64 = 0.2;

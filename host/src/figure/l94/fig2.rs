@@ -4,8 +4,8 @@ use super::column::{Column, Outcome};
 use super::hard::{self, Way};
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};
 use crate::figure::{Figure, Made, Note, Options, Progress, Series};
-use crate::reference::ForceLaw;
 use anyhow::{Context, Result};
+use carom_reference::ForceLaw;
 use rayon::prelude::*;
 
 /// The methods, as series name them.

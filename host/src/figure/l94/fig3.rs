@@ -4,8 +4,8 @@ use super::column::Column;
 use super::fig2::impact;
 use crate::figure::draw::{self, Look, Scale};
 use crate::figure::{Figure, Made, Note, Options, Progress, Series};
-use crate::reference::ForceLaw;
 use anyhow::Result;
+use carom_reference::ForceLaw;
 use rayon::prelude::*;
 
 /// N of the figure.

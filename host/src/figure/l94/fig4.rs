@@ -6,8 +6,8 @@ use super::fit;
 use super::layer::Layer;
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};
 use crate::figure::{Figure, Made, Note, Options, Progress, Series};
-use crate::reference::{ForceLaw, ReferenceError};
 use anyhow::Result;
+use carom_reference::{ForceLaw, ReferenceError};
 use rayon::prelude::*;
 
 /// D_t in units of D_n; the paper does not give it.

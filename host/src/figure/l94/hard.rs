@@ -2,13 +2,13 @@
 
 use super::column::{Column, Outcome};
 use crate::integrated::Integrated;
-use crate::reference::ForceLaw;
 use crate::storage::Storage;
 use anyhow::{Context, Result, bail};
 use carom::event::Counters;
 use carom::law::{HardSphere, LinearDashpot, Rule};
 use carom::matter::{Plane, Surface};
 use carom::{Fault, Grain, World};
+use carom_reference::ForceLaw;
 use carom_tables::End;
 
 /// More events than a column on a plate should need, in all and for each sample.

@@ -1,6 +1,6 @@
 //! What becomes of a layer of grains in two dimensions that hits a wall? Reads rows and gaps; writes ε_eff, by MD (L94 Sec. IV C).
 
-use crate::reference::{
+use carom_reference::{
     Boundary, End, Exact, ForceLaw, Gear, Grain, Plate, Quiet, ReferenceError, System,
     VerletOptions,
 };

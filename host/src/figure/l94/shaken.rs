@@ -2,7 +2,6 @@
 
 use super::hard;
 use crate::integrated::Integrated;
-use crate::reference::{Boundary, End, Exact, ForceLaw, Gear, Grain, Plate, System, VerletOptions};
 use crate::storage::Storage;
 use anyhow::Result;
 use carom::event::Counters;
@@ -10,6 +9,7 @@ use carom::law::{HardSphere, Rule};
 use carom::matter::{Plane, Surface, Vibration};
 use carom::world::Setup;
 use carom::{Fault, World};
+use carom_reference::{Boundary, End, Exact, ForceLaw, Gear, Grain, Plate, System, VerletOptions};
 use std::f64::consts::TAU;
 
 /// Gravity (m/s²).

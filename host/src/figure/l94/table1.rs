@@ -3,8 +3,8 @@
 use super::fit::slope;
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};
 use crate::figure::{Figure, Made, Note, Options, Series};
-use crate::reference::{End, ForceLaw, Grain, ReferenceError, collide};
 use anyhow::Result;
+use carom_reference::{End, ForceLaw, Grain, ReferenceError, collide};
 
 /// β and γ of Table I. Two misprints: β of the third row is 1/2, and ν_2 of the fourth is −1/5.
 pub const ROWS: [[f64; 2]; 5] = [[0.0, 0.0], [0.0, 0.2], [0.5, 0.0], [0.5, 0.5], [0.5, 0.25]];

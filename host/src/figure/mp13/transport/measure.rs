@@ -4,11 +4,11 @@ use super::flux::Flux;
 use super::tracks::Tracks;
 use crate::figure::hard::theory;
 use crate::figure::mp13::gas::{POISSON, RADIUS, SPEED, SoftGas, mass};
-use crate::reference::{Boundary, End, ForceLaw, Grain, System, Verlet, VerletOptions};
 use crate::storage::Storage;
 use anyhow::Result;
 use carom::World;
 use carom::law::{Central, Rule};
+use carom_reference::{Boundary, End, ForceLaw, Grain, System, Verlet, VerletOptions};
 use std::f64::consts::PI;
 
 /// How contacts are dealt with.
