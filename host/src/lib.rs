@@ -15,6 +15,7 @@ pub mod integrated;
 pub mod method;
 pub mod output;
 pub mod plot;
+pub mod progress;
 pub mod report;
 pub mod run;
 pub mod scale;

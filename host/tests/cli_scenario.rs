@@ -1,8 +1,7 @@
 //! Are scenarios what they say, and do the methods agree on them? Reads the shipped scenarios; writes nothing.
 
 use carom_host::compare;
-use carom_host::method::touching;
-use carom_host::scenario::{MethodName, Placed, Scenario, Side, Start};
+use carom_host::scenario::{MethodName, Placed, Scenario, Side, Start, touching};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 

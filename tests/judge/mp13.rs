@@ -2,10 +2,10 @@
 
 use carom::law::{Outside, Soft, Viscoelastic};
 use carom::{Grain, World};
-use carom_host::figure::hard::theory;
-use carom_host::figure::l94::fit;
+use carom_host::figure::fit;
+use carom_host::figure::hard::pressure;
 use carom_host::figure::mp13::gas::{POISSON, SoftGas};
-use carom_host::figure::mp13::transport::{Effort, Flux, Measured, Way, enskog, measure};
+use carom_host::figure::mp13::measure::{Effort, Flux, Measured, Way, enskog, measure};
 use carom_host::storage::Storage;
 use carom_reference::{Boundary, End, ForceLaw, System, Verlet, VerletOptions};
 
@@ -85,7 +85,7 @@ fn emd_has_the_pressure_and_self_diffusion_of_hard_spheres() {
     let effort = Effort { settle: 5.0, measure: 30.0, steps: 50.0 };
     let [diffusion, pressure] =
         over_seeds(4, |seed| measure(&gas(256, 0.1, 1e9, seed), Way::Emd, effort).unwrap());
-    let z = theory::carnahan_starling(0.1);
+    let z = pressure::carnahan_starling(0.1);
     let [_, d] = enskog(0.1);
     println!("D/Enskog {:?}, Z/CS {:?}", diffusion.map(|x| x / d), pressure.map(|x| x / z));
     assert!((pressure[0] / z - 1.0).abs() < 0.01, "{pressure:?} {z}");

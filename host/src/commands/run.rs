@@ -1,10 +1,9 @@
 //! `carom run`: what do the grains do? Reads a scenario; writes time series, trajectories and a summary.
 
-use crate::method;
-use crate::output;
 use crate::report::Files;
 use crate::run::{self, Plan};
 use crate::scenario::{MethodName, Scenario, Start};
+use crate::{method, output};
 use anyhow::{Context, Result};
 use clap::Args;
 use serde::Serialize;

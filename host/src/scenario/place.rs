@@ -1,12 +1,69 @@
 //! Where do the grains of a gas go? Reads number, radii and box; writes grains that do not overlap.
 
-use super::Gas;
-use super::start::{Placed, Side, sphere_mass};
+use super::spec::Gas;
 use anyhow::{Result, bail};
+use carom_reference::Plate;
 use rand::{RngExt, SeedableRng};
 use rand_distr::StandardNormal;
 use rand_pcg::Pcg64;
 use std::collections::HashMap;
+use std::f64::consts::PI;
+
+/// One grain at time 0; components beyond the dimension are 0.
+///
+/// # Units
+/// SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placed {
+    /// R.
+    pub radius: f64,
+    /// m.
+    pub mass: f64,
+    /// Centre.
+    pub position: [f64; 3],
+    /// Velocity.
+    pub velocity: [f64; 3],
+}
+
+/// One axis of the box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Side {
+    /// Nothing.
+    Open,
+    /// The box repeats from the first to the second number.
+    Periodic([f64; 2]),
+    /// Walls that follow the contact law.
+    Soft([f64; 2]),
+    /// Walls with this coefficient of restitution.
+    Hard([f64; 2], f64),
+    /// A plate below, soft or with this coefficient of restitution; nothing above.
+    Plate(Plate, Option<f64>),
+}
+
+impl Side {
+    /// Where the axis begins and ends, if it does.
+    pub const fn range(&self) -> Option<[f64; 2]> {
+        match *self {
+            Self::Open | Self::Plate(..) => None,
+            Self::Periodic(range) | Self::Soft(range) | Self::Hard(range, _) => Some(range),
+        }
+    }
+
+    /// The nearest image of a separation along this axis.
+    pub fn nearest(&self, separation: f64) -> f64 {
+        match *self {
+            Self::Periodic([from, to]) => {
+                separation - (to - from) * (separation / (to - from)).round()
+            }
+            _ => separation,
+        }
+    }
+}
+
+/// Mass of a sphere.
+pub(super) fn sphere_mass(radius: f64, density: f64) -> f64 {
+    4.0 / 3.0 * PI * radius.powi(3) * density
+}
 
 /// Tries to place one grain before the box is called full.
 const TRIES: usize = 20_000;

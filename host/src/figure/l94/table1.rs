@@ -1,8 +1,8 @@
 //! How do depth, duration and loss of a contact grow with the impact speed? Reads exponents β and γ; writes L94 Table I, measured.
 
-use super::fit::slope;
+use crate::figure::data::{Figure, Made, Note, Options, Series};
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};
-use crate::figure::{Figure, Made, Note, Options, Series};
+use crate::figure::fit::slope;
 use anyhow::Result;
 use carom_reference::{End, ForceLaw, Grain, ReferenceError, collide};
 
