@@ -5,11 +5,11 @@ use anyhow::{Context, Result};
 use carom::law::tables::{self, Stored};
 use carom_tables::recipe::{Made, Recipe};
 use carom_tables::{End, Groups, Law, Scaled, Table};
-use clap::ValueEnum;
 use serde::Deserialize;
 
 /// The size of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Size {
     /// For the smallest microcontrollers.

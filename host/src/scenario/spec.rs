@@ -1,6 +1,5 @@
 //! What can a scenario file say? Reads nothing; writes nothing, names the fields and their values.
 
-use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 /// A scenario as its file says it. See `scenarios/` for three that are explained.
@@ -43,21 +42,22 @@ pub struct Scenario {
 }
 
 /// A method of simulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum MethodName {
     /// Force-based molecular dynamics, velocity Verlet.
     #[serde(rename = "md")]
     Md,
     /// Force-based molecular dynamics, contact by contact, to about 12 digits.
     #[serde(rename = "md-exact")]
-    #[value(name = "md-exact")]
+    #[cfg_attr(feature = "cli", value(name = "md-exact"))]
     Exact,
     /// Event-driven, hard spheres with the law's ε(v).
     #[serde(rename = "emd")]
     Emd,
     /// Event-driven, with the full matrix of restitution.
     #[serde(rename = "emd*")]
-    #[value(name = "emd*")]
+    #[cfg_attr(feature = "cli", value(name = "emd*"))]
     EmdStar,
 }
 

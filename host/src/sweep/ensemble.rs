@@ -3,8 +3,8 @@
 use super::plan::Plan;
 use super::run::{self, Done, Journal};
 use super::table::{Cell, Column, Kind, Rows};
+use crate::progress::Progress;
 use anyhow::{Context, Result, bail};
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -78,31 +78,20 @@ fn finish(
 ) -> Result<(Journal, Vec<Done>)> {
     let known: std::collections::HashSet<usize> = done.iter().map(|done| done.run).collect();
     let left: Vec<usize> = mine.iter().copied().filter(|run| !known.contains(run)).collect();
-    let bar = progress(mine.len(), known.len());
+    let bar = Progress::of_runs(mine.len() as u64, known.len() as u64);
     let one = |&number: &usize| -> Result<Done> {
         let done = run::execute(number, &plan.run(number)?);
         match journal.lock() {
             Ok(mut journal) => journal.add(&done)?,
             Err(_) => bail!("the journal was left half-written"),
         }
-        bar.inc(1);
+        bar.add(1);
         Ok(done)
     };
     let fresh = left.par_iter().with_max_len(1).map(one).collect::<Result<Vec<Done>>>()?;
-    bar.finish_and_clear();
+    drop(bar);
     let journal = journal.into_inner();
     Ok((journal.map_err(|_| anyhow::anyhow!("the journal was left half-written"))?, fresh))
-}
-
-/// A bar on standard error, if that is a terminal.
-fn progress(runs: usize, done: usize) -> ProgressBar {
-    let bar = ProgressBar::new(runs as u64).with_position(done as u64);
-    let style = "{pos}/{len} runs [{bar:30}] {per_sec}, {eta} left";
-    if let Ok(style) = ProgressStyle::with_template(style) {
-        bar.set_style(style.progress_chars("=> "));
-    }
-    bar.reset_eta();
-    bar
 }
 
 /// One row for each run: its number, what was set, what came out, and the counters of all runs.
