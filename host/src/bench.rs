@@ -130,7 +130,7 @@ fn bytes<const D: usize>(storage: &mut Storage<f64, D>) -> usize {
 
 /// User CPU time of this process (s): what others do on the machine is left out as far as it can be.
 #[cfg(unix)]
-pub fn user_seconds() -> f64 {
+fn user_seconds() -> f64 {
     use nix::sys::resource::{UsageWho, getrusage};
     use nix::sys::time::TimeValLike;
     getrusage(UsageWho::RUSAGE_SELF)
@@ -139,7 +139,7 @@ pub fn user_seconds() -> f64 {
 
 /// Seconds since the first call, where there is no CPU time to be had.
 #[cfg(not(unix))]
-pub fn user_seconds() -> f64 {
+fn user_seconds() -> f64 {
     use std::sync::OnceLock;
     use std::time::Instant;
     static START: OnceLock<Instant> = OnceLock::new();
@@ -288,7 +288,7 @@ const BASIS: [&[[f64; 3]]; 3] = [
 
 /// The grains of a case: on sites drawn at random from the smallest lattice that has enough, numbered
 /// along it, with normal velocities and no total momentum. The same ones every time.
-pub fn grains<const D: usize>(case: &Case) -> Vec<Grain<f64, D>> {
+fn grains<const D: usize>(case: &Case) -> Vec<Grain<f64, D>> {
     let mut rng = Pcg64::seed_from_u64(case.count as u64);
     let mut sites = sites::<D>(case.count, case.edge());
     while sites.len() > case.count {

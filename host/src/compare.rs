@@ -196,7 +196,7 @@ pub struct Apart {
 }
 
 /// The differences of one sample; nothing if all grains are in contact.
-pub fn apart(start: &Start, judge: &Sample, other: &Sample) -> Option<Apart> {
+fn apart(start: &Start, judge: &Sample, other: &Sample) -> Option<Apart> {
     let held = touching(start, &judge.grains).into_iter().zip(touching(start, &other.grains));
     let pairs = judge.grains.iter().zip(&other.grains).zip(held);
     let free = pairs.filter(|(_, (here, there))| !here && !there);
@@ -213,7 +213,7 @@ pub fn apart(start: &Start, judge: &Sample, other: &Sample) -> Option<Apart> {
 }
 
 /// The time series of a track, compared with the judge's as long as that ran.
-pub(super) fn series(start: &Start, judge: &Track, track: &Track) -> Vec<Point> {
+fn series(start: &Start, judge: &Track, track: &Track) -> Vec<Point> {
     let point = |(number, sample): (usize, &Sample)| Point {
         time: sample.time,
         kinetic_energy: sample.kinetic_energy,
@@ -226,7 +226,7 @@ pub(super) fn series(start: &Start, judge: &Track, track: &Track) -> Vec<Point> 
 
 /// The sample at which the table compares: the first after one collision a grain, or the last one
 /// if the run hardly gets there.
-pub(super) fn where_to_look(start: &Start, judge: &Track) -> usize {
+fn where_to_look(start: &Start, judge: &Track) -> usize {
     let last = judge.samples.len() - 1;
     if per_grain(start, &judge.samples[last]) <= 2.0 {
         return last;

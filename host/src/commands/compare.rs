@@ -61,7 +61,7 @@ pub fn compare(options: &CompareOptions) -> Result<()> {
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn write_files(folder: &Path, comparison: &Comparison) -> Result<()> {
+fn write_files(folder: &Path, comparison: &Comparison) -> Result<()> {
     let json = serde_json::to_vec_pretty(comparison)?;
     output::write_file(&folder.join("comparison.json"), &json)?;
     output::write_file(&folder.join("comparison.csv"), &rows(comparison)?)?;

@@ -280,18 +280,18 @@ impl Look {
         self
     }
 
-    pub(super) fn kind(&self, number: usize) -> Kind {
+    fn kind(&self, number: usize) -> Kind {
         self.kinds.get(number).or(self.kinds.last()).copied().unwrap_or(Kind::Both)
     }
 
-    pub(super) fn colour(&self, number: usize) -> Colour {
+    fn colour(&self, number: usize) -> Colour {
         let others = number.saturating_sub(self.colours.len());
         self.colours.get(number).copied().unwrap_or(PALETTE[others % PALETTE.len()])
     }
 }
 
 impl Mark {
-    pub(super) fn name(&self) -> &str {
+    fn name(&self) -> &str {
         match self {
             Self::Level(_, name)
             | Self::Place(_, name)
@@ -300,7 +300,7 @@ impl Mark {
         }
     }
 
-    pub(super) fn reach(&self, direction: usize) -> Vec<f64> {
+    fn reach(&self, direction: usize) -> Vec<f64> {
         match self {
             Self::Level(y, _) if direction == 1 => vec![*y],
             Self::Place(x, _) if direction == 0 => vec![*x],

@@ -1,6 +1,6 @@
 //! Which figures of the papers can be made? Reads an id; writes nothing, returns the figure, its picture and the comparison.
 //!
-//! A figure is made by a function of [`Options`] that is listed in its paper's table. Its data are
+//! A figure is made by a function of [`Options`] that `list.rs` names. Its data are
 //! a [`Figure`], whose serde form is what `carom figure ID --json` prints; its picture is a
 //! [`Scene`](crate::plot::Scene), in most cases drawn by [`draw::draw`] from the data; and [`Note`]s
 //! set the paper's numbers beside ours.

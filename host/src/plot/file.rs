@@ -44,7 +44,7 @@ pub fn ending(file: &std::path::Path) -> Result<Format> {
 }
 
 /// The scene as a stand-alone SVG document.
-pub(super) fn svg(scene: &Scene) -> Result<String> {
+fn svg(scene: &Scene) -> Result<String> {
     let (w, h) = (scene.width, scene.height);
     let mut text = String::new();
     writeln!(
@@ -158,7 +158,7 @@ fn write_path(text: &mut String, path: &Path) -> Result<()> {
 const SCALE: f32 = 2.0;
 
 /// The scene as a PNG file.
-pub(super) fn png(scene: &Scene) -> Result<Vec<u8>> {
+fn png(scene: &Scene) -> Result<Vec<u8>> {
     let width = (scene.width as f32 * SCALE).ceil() as u32;
     let height = (scene.height as f32 * SCALE).ceil() as u32;
     let mut canvas = Pixmap::new(width, height).context("the picture has no area")?;
@@ -171,7 +171,7 @@ pub(super) fn png(scene: &Scene) -> Result<Vec<u8>> {
 }
 
 /// Pixels with opacity as a pixmap.
-pub(super) fn pixels(size: [u32; 2], rgba: &[u8]) -> Result<Pixmap> {
+fn pixels(size: [u32; 2], rgba: &[u8]) -> Result<Pixmap> {
     let mut data = rgba.to_vec();
     for pixel in data.chunks_exact_mut(4) {
         let opacity = u16::from(pixel[3]);

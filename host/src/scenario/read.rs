@@ -51,7 +51,7 @@ impl Scenario {
 /// More grains than this are a slip of the pen: 20 GB.
 const MOST_GRAINS: usize = 100_000_000;
 
-pub(super) fn check(scenario: &Scenario) -> Result<()> {
+fn check(scenario: &Scenario) -> Result<()> {
     let d = scenario.dimension;
     if !(1..=3).contains(&d) {
         bail!("dimension is {d}, must be 1, 2 or 3");

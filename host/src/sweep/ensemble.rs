@@ -126,7 +126,7 @@ impl Rows {
 }
 
 /// Columns of counters are called so: runs may differ in which they have.
-pub const COUNTER: &str = "counters.";
+const COUNTER: &str = "counters.";
 
 /// Puts the shards of one sweep together, in whatever order they are named.
 ///

@@ -15,7 +15,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Where a sweep comes from: two results belong together only if all of this is the same.
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
     /// The text of the sweep file.
     pub sweep: String,

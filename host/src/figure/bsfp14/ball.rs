@@ -215,7 +215,7 @@ fn mean(impacts: &[u64]) -> f64 {
 }
 
 /// Plates at heights from 0 to 1.
-pub fn plates(count: usize) -> Vec<f64> {
+fn plates(count: usize) -> Vec<f64> {
     (0..count).map(|i| i as f64 / (count - 1) as f64).collect()
 }
 

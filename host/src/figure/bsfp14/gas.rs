@@ -1,4 +1,8 @@
 //! What does a gas of hard spheres show at its impacts? Runs it at a density and ε; writes how far and how often spheres overlap (BSFP14 Figs. 3, 5).
+//!
+//! Overlaps are made by rounding, and with positions to 2⁻⁵³ three of them at once are too rare to be
+//! counted. So each gas runs a second time far from the origin, where positions are coarse and the
+//! events frequent, and the frequency there is scaled down with the spread of the separations at impact.
 
 use crate::figure::data::{Figure, Made, Note, Options, Series};
 use crate::figure::draw::{self, Kind, Look, Mark, Scale};

@@ -193,7 +193,7 @@ fn note_plate(method: &str, contact_time: f64, heights: &[Vec<f64>]) -> Note {
 
 /// One diagram: lines in colours from dark to light, in the order given.
 #[derive(Clone, Debug)]
-pub struct Diagram {
+struct Diagram {
     /// Over it.
     pub title: String,
     /// Its lines.
@@ -212,7 +212,7 @@ const ACROSS: f64 = 52.0;
 const DOWN: f64 = 58.0;
 
 /// Draws diagrams in rows of so many.
-pub fn draw_panels(title: &str, diagrams: &[Diagram], columns: usize, [x, y]: [&str; 2]) -> Scene {
+fn draw_panels(title: &str, diagrams: &[Diagram], columns: usize, [x, y]: [&str; 2]) -> Scene {
     let rows = diagrams.len().div_ceil(columns);
     let size = |n: usize, each: f64, between: f64| n as f64 * (each + between);
     let width = LEFT + size(columns, WIDTH, ACROSS) - ACROSS + 14.0;

@@ -260,7 +260,7 @@ impl<const D: usize> Watch<f64, D> for Flux {
 
 /// Positions in a periodic box at equal intervals, put together to paths.
 #[derive(Clone, Debug)]
-pub struct Tracks {
+struct Tracks {
     edge: f64,
     /// Where each grain is, not wrapped.
     now: Vec<[f64; 3]>,

@@ -1,4 +1,7 @@
 //! Do eMD and eMD* have the pressure and self-diffusion of MD? Reads nothing; writes both at a few packings and stiffnesses.
+//!
+//! MP13 leaves this open (Sec. VII). All three start from the same hard spheres in equilibrium, so the
+//! energy is the same; what differs is what contacts do.
 
 use super::gas::SoftGas;
 use super::measure::{Effort, Measured, Way, measure};
