@@ -141,7 +141,7 @@ pub struct Case {
 ///
 /// ```
 /// let text = "id,law,k,gamma,Y,nu,A,R1,R2,m1,m2,v,e\nfig6,lsd,2000,0,,,,0.1,0.1,4.775,4.775,5,0.3\n";
-/// let cases = carom_host::collide::case::read(text.as_bytes()).unwrap();
+/// let cases = carom_host::collide::read(text.as_bytes()).unwrap();
 /// assert_eq!(cases[0].id, "fig6");
 /// ```
 pub fn read(source: impl Read) -> Result<Vec<Case>> {

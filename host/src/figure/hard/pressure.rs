@@ -136,7 +136,7 @@ pub fn packing_of_disks(density: f64) -> f64 {
 /// doi:10.1063/1.1672048). Good to about 0.3 % in the fluid, η < 0.49.
 ///
 /// ```
-/// use carom_host::figure::hard::theory::carnahan_starling;
+/// use carom_host::figure::hard::pressure::carnahan_starling;
 /// // Second virial coefficient: Z = 1 + 4 η + …
 /// assert!(((carnahan_starling(1e-6) - 1.0) / 1e-6 - 4.0).abs() < 1e-4);
 /// ```
@@ -164,7 +164,7 @@ const DISKS: [f64; 12] = [
 /// doi:10.1080/00268970600967963), their fit up to density 0.9, η < 0.707.
 ///
 /// ```
-/// use carom_host::figure::hard::theory::kolafa_rottner;
+/// use carom_host::figure::hard::pressure::kolafa_rottner;
 /// // The virial series of Clisby and McCoy (J. Stat. Phys. 122, 15, 2006) up to its tenth term.
 /// let virial = [1.0, 1.0, 0.782004, 0.5322318, 0.33355604, 0.1988425, 0.1148728, 0.064993, 0.0362193, 0.0199537];
 /// let z: f64 = (0..).zip(virial).map(|(k, b)| b * 0.4_f64.powi(k)).sum();
