@@ -42,6 +42,7 @@ enum Shape {
 }
 
 impl Shape {
+    #[inline]
     fn of(beta: f64, gamma: f64) -> Self {
         if beta == gamma && (beta == 0.0 || beta == 0.5) {
             return if beta == 0.0 { Self::Linear } else { Self::Hertz };
@@ -56,12 +57,14 @@ impl Shape {
 
 impl ContactLaw {
     /// `constants` K and C, `exponents` β and γ.
+    #[inline]
     pub(crate) fn new(mass: f64, constants: [f64; 2], exponents: [f64; 2]) -> Self {
         let ([stiffness, damping], [beta, gamma]) = (constants, exponents);
         let (relaxation, shape) = (damping / stiffness, Shape::of(beta, gamma));
         Self { stiffness, relaxation, mass, tangential: 0.0, beta, gamma, shape }
     }
 
+    #[inline]
     pub(crate) fn rubbing(self, tangential: f64) -> Self {
         Self { tangential, ..self }
     }
@@ -71,6 +74,7 @@ impl ContactLaw {
     /// # Units
     ///
     /// Overlap in m, rate in m/s, force in N.
+    #[inline]
     pub fn force(&self, overlap: f64, rate: f64) -> f64 {
         let root = self.root(overlap);
         self.gain(root) * (self.spring(overlap, root) + self.relaxation * rate)
@@ -132,6 +136,7 @@ impl ContactLaw {
     }
 
     /// p, where x = q^p makes the force smooth in q; 1 where it is smooth in x.
+    #[inline]
     pub(crate) fn order(&self) -> i32 {
         match self.shape {
             Shape::Linear => 1,
@@ -175,11 +180,13 @@ impl ContactLaw {
     }
 
     /// Whether x^s + θ ẋ can stand for ẋ as an unknown: s = 1.
+    #[inline]
     pub(crate) fn proportional(&self) -> bool {
         self.beta == self.gamma
     }
 
     /// Positive where two overlapping grains push: x^s + θ ẋ.
+    #[inline]
     pub(crate) fn push(&self, overlap: f64, rate: f64) -> f64 {
         self.spring(overlap, self.root(overlap)) + self.relaxation * rate
     }

@@ -135,6 +135,7 @@ impl ForceLaw {
     }
 
     /// The law between two grains of the given radii and masses.
+    #[inline]
     pub fn pair(&self, radii: [f64; 2], masses: [f64; 2]) -> ContactLaw {
         let reduced = |a: [f64; 2]| a[0] * (a[1] / (a[0] + a[1]));
         let mass = reduced(masses);
@@ -142,11 +143,13 @@ impl ForceLaw {
     }
 
     /// The law between a grain and a plane wall: R_eff = R, m_eff = m.
+    #[inline]
     pub fn wall(&self, radius: f64, mass: f64) -> ContactLaw {
         self.between(radius, mass, mass)
     }
 
     /// `twice` is L94's m_ij.
+    #[inline]
     fn between(&self, radius: f64, mass: f64, twice: f64) -> ContactLaw {
         match *self {
             Self::LinearDashpot { stiffness, damping } => {

@@ -32,21 +32,25 @@ pub struct Plate {
 
 impl Plate {
     /// A plate at rest.
+    #[inline]
     pub const fn fixed(at: f64) -> Self {
         Self { at, amplitude: 0.0, frequency: 0.0, phase: 0.0 }
     }
 
     /// Whether it moves.
+    #[inline]
     pub(crate) fn moves(&self) -> bool {
         self.amplitude > 0.0 && self.frequency > 0.0
     }
 
+    #[inline]
     fn sin_cos(&self, t: f64) -> (f64, f64) {
         let turns = self.frequency * t + self.phase;
         (TAU * (turns - turns.round())).sin_cos()
     }
 
     /// z_0.
+    #[inline]
     pub fn height(&self, t: f64) -> f64 {
         if self.amplitude == 0.0 {
             return self.at;
@@ -55,6 +59,7 @@ impl Plate {
     }
 
     /// dz_0/dt.
+    #[inline]
     pub fn velocity(&self, t: f64) -> f64 {
         if self.amplitude == 0.0 {
             return 0.0;
@@ -63,6 +68,7 @@ impl Plate {
     }
 
     /// d²z_0/dt².
+    #[inline]
     pub fn acceleration(&self, t: f64) -> f64 {
         if self.amplitude == 0.0 {
             return 0.0;
@@ -71,6 +77,7 @@ impl Plate {
     }
 
     /// A_0 ω, its largest speed.
+    #[inline]
     pub fn fastest(&self) -> f64 {
         self.amplitude * TAU * self.frequency
     }

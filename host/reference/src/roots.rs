@@ -1,6 +1,7 @@
 //! Where does a function vanish? Reads coefficients or a function; writes the root.
 
 /// The roots of c + b t + a t² that lie in (0, ∞) in increasing order, without cancellation.
+#[inline]
 pub(crate) fn quadratic(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
     let discriminant = b * b - 4.0 * a * c;
     if discriminant < 0.0 || discriminant.is_nan() {

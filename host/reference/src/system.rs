@@ -47,6 +47,7 @@ pub enum Boundary {
 
 impl Boundary {
     /// The period of the axis, 0 where it does not repeat.
+    #[inline]
     pub(crate) fn period(&self) -> f64 {
         match *self {
             Self::Periodic { lo, hi } => hi - lo,
