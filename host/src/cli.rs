@@ -19,29 +19,29 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// The main job: MP13 Fig. 6 and a gas of 1,000 grains three ways, with two pictures.
-    Demo(commands::demo::Options),
+    Demo(commands::compare::DemoOptions),
     /// Run a scenario by the methods it names; write time series, trajectories and a summary.
     Run(commands::run::Options),
     /// Run a scenario by several methods from the same start and compare what they get.
-    Compare(commands::compare::Options),
+    Compare(commands::compare::CompareOptions),
     /// Run gases of ten grains until three touch, and show how far event-driven runs are from MD.
-    Divergence(commands::divergence::Options),
+    Divergence(commands::figure::DivergenceOptions),
     /// Make a figure of the papers anew and set their numbers beside ours.
-    Figure(commands::figure::Options),
+    Figure(commands::figure::FigureOptions),
     /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
-    Collide(commands::collide::Options),
+    Collide(commands::table::CollideOptions),
     /// Measure pressure and mean free time of hard spheres and disks against published values.
-    Fluid(commands::fluid::Options),
+    Fluid(commands::hard::FluidOptions),
     /// Run a dissipative gas for millions of collisions, and check that nothing breaks.
-    Soak(commands::soak::Options),
+    Soak(commands::hard::SoakOptions),
     /// Do many runs of a scenario, each with other fields or seeds; a Parquet row for each.
-    Sweep(commands::sweep::Options),
+    Sweep(commands::sweep::SweepOptions),
     /// Put the shards of a sweep together.
-    Merge(commands::merge::Options),
+    Merge(commands::sweep::MergeOptions),
     /// Measure collisions per second and bytes per grain.
     Bench(commands::bench::Options),
     /// Show what the embedded tables hold and how exact they are.
-    Table(commands::table::Options),
+    Table(commands::table::TableOptions),
 }
 
 /// Parses the arguments and runs the command.
@@ -54,19 +54,19 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
         Err(error) => return refuse(&error),
     };
     match arguments.command {
-        Some(Command::Compare(options)) => commands::compare::run(&options),
-        Some(Command::Divergence(options)) => commands::divergence::run(&options),
-        Some(Command::Figure(options)) => commands::figure::run(&options),
-        Some(Command::Collide(options)) => commands::collide::run(&options),
-        Some(Command::Fluid(options)) => commands::fluid::run(&options),
-        Some(Command::Soak(options)) => commands::soak::run(&options),
-        Some(Command::Sweep(options)) => commands::sweep::run(&options),
-        Some(Command::Merge(options)) => commands::merge::run(&options),
+        Some(Command::Compare(options)) => commands::compare::compare(&options),
+        Some(Command::Divergence(options)) => commands::figure::divergence(&options),
+        Some(Command::Figure(options)) => commands::figure::figure(&options),
+        Some(Command::Collide(options)) => commands::table::collide(&options),
+        Some(Command::Fluid(options)) => commands::hard::fluid(&options),
+        Some(Command::Soak(options)) => commands::hard::soak(&options),
+        Some(Command::Sweep(options)) => commands::sweep::sweep(&options),
+        Some(Command::Merge(options)) => commands::sweep::merge(&options),
         Some(Command::Bench(options)) => commands::bench::run(&options),
-        Some(Command::Table(options)) => commands::table::run(&options),
+        Some(Command::Table(options)) => commands::table::table(&options),
         Some(Command::Run(options)) => commands::run::run(&options),
-        Some(Command::Demo(options)) => commands::demo::run(&options),
-        None => commands::demo::run(&commands::demo::Options::default()),
+        Some(Command::Demo(options)) => commands::compare::demo(&options),
+        None => commands::compare::demo(&commands::compare::DemoOptions::default()),
     }
 }
 

@@ -5,12 +5,12 @@
 //! collision is the method's own, and its growth with the collision number is the gas's.
 
 use crate::integrated::Integrated;
-use crate::reference::{
+use crate::storage::HeapMemory;
+use carom::law::{Central, Outside, Rule, Soft, Viscoelastic};
+use carom::{Error, Grain, World};
+use carom_reference::{
     self, Boundary, End, EventKind, Exact, ForceLaw, Partner, ReferenceError, System,
 };
-use crate::storage::Storage;
-use carom::law::{Central, Outside, Rule, Soft, Viscoelastic};
-use carom::{Fault, Grain, World};
 use rand::{RngExt, SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64Mcg;
@@ -90,7 +90,7 @@ pub enum DivergenceError {
     Reference(#[from] ReferenceError),
     /// The engine refused.
     #[error("event-driven MD: {0}")]
-    Engine(#[from] Fault),
+    Engine(#[from] Error),
 }
 
 /// Runs one gas for each seed, through `collisions` collisions or the first three-grain contact.
@@ -162,7 +162,7 @@ fn nearest(x: f64) -> f64 {
 /// The force-based run at tight tolerance: where the free grains are after each collision.
 fn judge(grains: &[Grain<f64, 3>], collisions: usize) -> Result<Vec<Sample>, ReferenceError> {
     let start = || -> Result<Exact<3>, ReferenceError> {
-        let periodic = Boundary::Periodic { lo: 0.0, hi: edge() };
+        let periodic = Boundary::PeriodicAxis { lo: 0.0, hi: edge() };
         let grains = grains.iter().map(for_reference).collect();
         let Viscoelastic { young, poisson, dissipation } = LAW;
         let law = ForceLaw::Viscoelastic { young, poisson, dissipation };
@@ -186,8 +186,8 @@ fn judge(grains: &[Grain<f64, 3>], collisions: usize) -> Result<Vec<Sample>, Ref
     times.into_iter().map(|time| sample(&mut run, time)).collect()
 }
 
-fn for_reference(grain: &Grain<f64, 3>) -> reference::Grain<3> {
-    reference::Grain {
+fn for_reference(grain: &Grain<f64, 3>) -> carom_reference::Grain<3> {
+    carom_reference::Grain {
         radius: grain.radius,
         mass: grain.mass,
         position: grain.position.into(),
@@ -211,8 +211,8 @@ fn sample(run: &mut Exact<3>, time: f64) -> Result<Sample, ReferenceError> {
 }
 
 /// The error at each sample, as far as the run is comparable: until a contact is interrupted, a turn
-/// refused or an encounter found outside the table.
-fn compare(way: Way, grains: &[Grain<f64, 3>], samples: &[Sample]) -> Result<Vec<f64>, Fault> {
+/// refused or an impact found outside the table.
+fn compare(way: Way, grains: &[Grain<f64, 3>], samples: &[Sample]) -> Result<Vec<f64>, Error> {
     let soft = Soft::viscoelastic(LAW, Outside::HardSphere);
     match way {
         Way::Integrated => errors(Integrated::new(LAW), grains, samples),
@@ -225,9 +225,9 @@ fn errors(
     rule: impl Rule<f64>,
     grains: &[Grain<f64, 3>],
     samples: &[Sample],
-) -> Result<Vec<f64>, Fault> {
-    let mut storage = Storage::new(grains.len());
-    let mut world = World::setup(&mut storage)
+) -> Result<Vec<f64>, Error> {
+    let mut storage = HeapMemory::new(grains.len());
+    let mut world = World::builder(&mut storage)
         .periodic([[0.0, edge()]; 3])
         .rule(rule)
         .grains(grains.iter().copied())?
@@ -235,8 +235,8 @@ fn errors(
     let mut found = Vec::new();
     for sample in samples {
         world.advance_to(sample.time)?;
-        let counters = world.counters();
-        if counters.interrupted + counters.rotation_refused + counters.hard_sphere > 0 {
+        let statistics = world.statistics();
+        if statistics.interrupted + statistics.rotation_refused + statistics.hard_sphere > 0 {
             break;
         }
         let view = world.view();

@@ -1,8 +1,8 @@
-//! What does a contact do, without a table? Integrates the contact equation for each encounter; writes its outcome.
+//! What does a contact do, without a table? Integrates the contact equation for each impact; writes its outcome.
 
-use carom::Fault;
-use carom::law::force::ForceLaw;
-use carom::law::{Answer, Encounter, Response, Rule};
+use carom::Error;
+use carom::law::ForceLaw;
+use carom::law::{Answer, Impact, Response, Rule};
 use carom_tables::contact;
 use carom_tables::read::End;
 
@@ -11,14 +11,14 @@ use carom_tables::read::End;
 /// Slow, and without a domain: it is what tables are judged by.
 ///
 /// ```
-/// use carom::law::{Encounter, LinearDashpot, Response, Rule};
+/// use carom::law::{Impact, LinearDashpot, Response, Rule};
 /// use carom_host::integrated::Integrated;
 /// let rule = Integrated::new(LinearDashpot { stiffness: 2000.0, damping: 0.0 });
-/// let head_on = Encounter {
+/// let head_on = Impact {
 ///     reach: 0.2, effective_radius: 0.05, reduced_mass: 2.0,
 ///     normal_speed: 1.0, tangential_speed: 0.0, materials: [0, 0],
 /// };
-/// let Response::Lasting(outcome) = rule.meet(&head_on).response else { unreachable!() };
+/// let Response::Lasting(outcome) = rule.collide(&head_on).response else { unreachable!() };
 /// // Half a period of the oscillator.
 /// assert!((outcome.duration - std::f64::consts::PI * (2.0_f64 / 2000.0).sqrt()).abs() < 1e-12);
 /// ```
@@ -43,14 +43,14 @@ impl<L> Integrated<L> {
 }
 
 impl<L: ForceLaw<f64>> Rule<f64> for Integrated<L> {
-    fn meet(&self, encounter: &Encounter<f64>) -> Answer<f64> {
-        let scales = self.law.scales(encounter);
-        let groups = encounter.groups(&scales);
+    fn collide(&self, impact: &Impact<f64>) -> Answer<f64> {
+        let scales = self.law.scales(impact);
+        let groups = impact.groups(&scales);
         let scaled = contact::integrate(L::LAW, self.end, &groups);
-        Answer::sure(Response::Lasting(scales.outcome(&scaled)))
+        Answer::exact(Response::Lasting(scales.outcome(&scaled)))
     }
 
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Error> {
         self.law.check()
     }
 }

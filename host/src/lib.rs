@@ -1,12 +1,15 @@
 //! What does `carom` offer on a workstation? Reads scenarios and cases; writes trajectories, tables and pictures.
 //!
-//! The library behind the program `carom`: the reference force-based molecular dynamics, the same
-//! scenario by several methods, and the pictures. Everything the program does can be reached from
-//! here, which is how the tests reach it.
+//! The library behind the program `carom`: the same scenario by several methods, the judge among them
+//! (`carom-reference`), the papers' figures, and the pictures. Everything the program does can be
+//! reached from here, which is how the tests reach it. With `default-features = false` it is the
+//! library alone, without command line and progress bars.
 
 pub mod bench;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod collide;
+#[cfg(feature = "cli")]
 pub mod commands;
 pub mod compare;
 pub mod divergence;
@@ -15,7 +18,7 @@ pub mod integrated;
 pub mod method;
 pub mod output;
 pub mod plot;
-pub mod reference;
+pub mod progress;
 pub mod report;
 pub mod run;
 pub mod scale;

@@ -1,9 +1,9 @@
 //! How does one method get from start to end? Reads a method and a scenario; writes samples to whoever asks.
 
 use crate::method::{Logged, Method};
+use crate::progress::Progress;
 use crate::scenario::{Placed, Scenario};
 use anyhow::Result;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::time::{Duration, Instant};
 
 /// What a method says at one time.
@@ -18,7 +18,7 @@ pub struct Sample {
     /// Contacts so far.
     pub collisions: u64,
     /// Everything that was counted so far.
-    pub counters: Vec<(&'static str, u64)>,
+    pub statistics: Vec<(&'static str, u64)>,
     /// Events since the last sample, if a log was asked for.
     pub events: Vec<Logged>,
 }
@@ -77,7 +77,7 @@ pub fn drive(
     plan: &Plan,
     mut each: impl FnMut(&Sample) -> Result<()>,
 ) -> Result<f64> {
-    let progress = Progress::new(method.name().label(), plan);
+    let progress = Shown::new(method.name().label(), plan);
     let mut cost = Duration::ZERO;
     for number in 0.. {
         let time = plan.instant(number);
@@ -100,27 +100,23 @@ fn look(method: &mut dyn Method, time: f64) -> Sample {
         grains: method.grains(),
         kinetic_energy: method.kinetic_energy(),
         collisions: method.collisions(),
-        counters: method.counters(),
+        statistics: method.statistics(),
         events: method.take_events(),
     }
 }
 
-/// A progress bar on standard error, if that is a terminal.
-struct Progress {
-    bar: ProgressBar,
+/// How much of a plan is done, on a progress bar.
+struct Shown {
+    bar: Progress,
+    begin: Instant,
     plan: Plan,
 }
 
 const PARTS: u64 = 10_000;
 
-impl Progress {
+impl Shown {
     fn new(label: &'static str, plan: &Plan) -> Self {
-        let style = "{prefix:>9} [{bar:24}] {percent:>3} %  {msg}  {eta} left";
-        let bar = ProgressBar::new(PARTS).with_prefix(label);
-        if let Ok(style) = ProgressStyle::with_template(style) {
-            bar.set_style(style.progress_chars("=> "));
-        }
-        Self { bar, plan: *plan }
+        Self { bar: Progress::of_method(label, PARTS), begin: Instant::now(), plan: *plan }
     }
 
     fn show(&self, sample: &Sample) {
@@ -129,15 +125,9 @@ impl Progress {
         } else {
             sample.collisions as f64 / self.plan.collisions as f64
         };
-        let seconds = self.bar.elapsed().as_secs_f64().max(1e-9);
+        let seconds = self.begin.elapsed().as_secs_f64().max(1e-9);
         let rate = sample.collisions as f64 / seconds;
-        self.bar.set_message(format!("{} collisions, {rate:.0}/s", sample.collisions));
-        self.bar.set_position((part * PARTS as f64) as u64);
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
+        self.bar.say(format!("{} collisions, {rate:.0}/s", sample.collisions));
+        self.bar.reach((part * PARTS as f64) as u64);
     }
 }

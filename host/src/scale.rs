@@ -140,7 +140,7 @@ impl Impact {
     pub fn shortfall(&self, scaled: &ScaledRestitution<f64>, end: End) -> f64 {
         match end {
             End::Force => self.groups.c_dis * scaled.speed * self.groups.eta,
-            _ => 0.0,
+            End::Overlap => 0.0,
         }
     }
 }

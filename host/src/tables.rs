@@ -2,14 +2,14 @@
 
 use crate::collide::Restitution;
 use anyhow::{Context, Result};
-use carom::law::tables::{self, Stored};
+use carom::law::embedded::{self, Stored};
 use carom_tables::read::{End, Groups, Law, ScaledRestitution, Table};
 use carom_tables::recipe::{GeneratedTable, Recipe};
-use clap::ValueEnum;
 use serde::Deserialize;
 
 /// The size of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Size {
     /// For the smallest microcontrollers.
@@ -37,12 +37,12 @@ impl Size {
 /// An embedded table; its contacts end when the force vanishes.
 pub fn embedded(size: Size, law: Law) -> &'static Table<Stored> {
     match (size, law) {
-        (Size::Compact, Law::LinearDashpot) => &tables::compact::LINEAR_DASHPOT,
-        (Size::Compact, _) => &tables::compact::VISCOELASTIC,
-        (Size::Standard, Law::LinearDashpot) => &tables::standard::LINEAR_DASHPOT,
-        (Size::Standard, _) => &tables::standard::VISCOELASTIC,
-        (Size::Wide, Law::LinearDashpot) => &tables::wide::LINEAR_DASHPOT,
-        (Size::Wide, _) => &tables::wide::VISCOELASTIC,
+        (Size::Compact, Law::LinearDashpot) => &embedded::compact::LINEAR_DASHPOT,
+        (Size::Compact, Law::Viscoelastic) => &embedded::compact::VISCOELASTIC,
+        (Size::Standard, Law::LinearDashpot) => &embedded::standard::LINEAR_DASHPOT,
+        (Size::Standard, Law::Viscoelastic) => &embedded::standard::VISCOELASTIC,
+        (Size::Wide, Law::LinearDashpot) => &embedded::wide::LINEAR_DASHPOT,
+        (Size::Wide, Law::Viscoelastic) => &embedded::wide::VISCOELASTIC,
     }
 }
 

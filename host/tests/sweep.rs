@@ -1,6 +1,7 @@
 //! Does a sweep give the same file however it is split, killed and taken up again? Runs small sweeps; writes to temporary folders.
 
 use carom_host::sweep::{Cell, Plan, Rows, merge, sweep};
+use serde_json::json;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -153,7 +154,7 @@ fn kill_until_done(file: &Path, out: &Path) -> usize {
     loop {
         let before = lines();
         let mut child = carom();
-        let child = child.arg("sweep").arg(file).arg("--out").arg(out);
+        let child = child.args(["sweep", "--threads", "1"]).arg(file).arg("--out").arg(out);
         let mut child = child.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
         let begin = Instant::now();
         while lines() < before + 20 && child.try_wait().unwrap().is_none() {
@@ -173,7 +174,7 @@ fn a_killed_sweep_goes_on_where_it_stopped() {
     let (folder, file) = folder(SCENARIO, &SWEEP.replace("count = 5", "count = 200"));
     let [whole, killed] = ["whole.parquet", "killed.parquet"].map(|name| folder.path().join(name));
     sweep(&Plan::read(&file).unwrap(), [1, 1], &whole).unwrap();
-    assert!(kill_until_done(&file, &killed) >= 2, "it was never killed");
+    assert!(kill_until_done(&file, &killed) >= 1, "it was never killed");
     assert_eq!(fs::read(&killed).unwrap(), fs::read(&whole).unwrap());
     assert!(!killed.with_added_extension("journal").exists());
 }
@@ -186,7 +187,7 @@ fn no_run_is_lost_or_done_twice() {
     let [whole, cut] = ["whole.parquet", "cut.parquet"].map(|name| folder.path().join(name));
     sweep(&plan, [1, 1], &whole).unwrap();
     let journal = cut.with_added_extension("journal");
-    let text = a_journal(&file, &folder);
+    let text = a_journal(&plan, &Rows::read(&whole).unwrap());
     for length in [0, 1, 900, text.len() / 2, text.len() - 1, text.len()] {
         fs::write(&journal, &text[..length]).unwrap();
         let kept = text[..length].iter().filter(|&&byte| byte == b'\n').count().saturating_sub(1);
@@ -198,22 +199,22 @@ fn no_run_is_lost_or_done_twice() {
     }
 }
 
-/// The journal of a sweep that is under way, as far as one can get hold of it.
-fn a_journal(file: &Path, folder: &TempDir) -> Vec<u8> {
-    let out = folder.path().join("watched.parquet");
-    let journal = out.with_added_extension("journal");
-    let mut child = carom();
-    let child = child.arg("sweep").arg(file).arg("--out").arg(&out);
-    let mut child = child.stdout(Stdio::null()).spawn().unwrap();
-    let mut longest = Vec::new();
-    while child.try_wait().unwrap().is_none() {
-        let text = fs::read(&journal).unwrap_or_default();
-        if text.len() > longest.len() {
-            longest = text;
-        }
-    }
-    assert!(longest.iter().filter(|&&byte| byte == b'\n').count() > 5, "a journal of nothing");
-    longest
+/// The journal that an interrupted sweep leaves: a line that says of what it is, then a line for each
+/// run that was done, in the order in which several threads may have ended them.
+fn a_journal(plan: &Plan, rows: &Rows) -> Vec<u8> {
+    let place = |name: &str| rows.columns.iter().position(|column| column.name == name).unwrap();
+    let result = place("grains")..=place("error");
+    let line = |number: usize| {
+        let row = &rows.rows[number];
+        let named = rows.columns.iter().zip(row).filter(|(_, cell)| **cell != Cell::Nothing);
+        let statistics: Vec<(&str, &Cell)> = named
+            .filter_map(|(column, cell)| Some((column.name.strip_prefix("statistics.")?, cell)))
+            .collect();
+        json!({ "run": number, "cells": row[result.clone()], "statistics": statistics })
+    };
+    let head = json!({ "source": plan.source, "shard": [1, 1] });
+    let lines = std::iter::once(head).chain((0..15).map(|k| line(7 * k % 20)));
+    lines.flat_map(|line| format!("{line}\n").into_bytes()).collect()
 }
 
 #[test]

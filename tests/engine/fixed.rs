@@ -3,7 +3,7 @@
 use carom::detect::root;
 use carom::law::embedded::Embedded;
 use carom::law::{HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
-use carom::scalar::{I16F16, I32F32, Real, Vector};
+use carom::scalar::{I16F16, I32F32, Real, TimeSpan, Vector};
 use carom::space::{Plane, Surface, Vibration};
 use carom::{Grain, Memory, Scalar, View, World};
 use proptest::prelude::*;
@@ -236,7 +236,7 @@ proptest! {
         let sigma = sigma.abs() + 1.0;
         let (a, b) = (Vector::from(r), Vector::from(v));
         let want = root::spheres(&a, &b, sigma);
-        let got = root::spheres(&a.map(n::<I32F32>), &b.map(n), n(sigma)).map(Scalar::to_ticks);
+        let got = root::spheres(&a.map(n::<I32F32>), &b.map(n), n(sigma)).map(TimeSpan::to_ticks);
         match (got, want) {
             (Some(got), Some(want)) => {
                 let got = f64::from_ticks(got);

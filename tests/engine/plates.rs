@@ -17,10 +17,10 @@ enum Either {
 }
 
 impl Rule<f64> for Either {
-    fn meet(&self, impact: &Impact<f64>) -> Answer<f64> {
+    fn collide(&self, impact: &Impact<f64>) -> Answer<f64> {
         match self {
-            Self::Hard(rule) => rule.meet(impact),
-            Self::Soft(rule) => rule.meet(impact),
+            Self::Hard(rule) => rule.collide(impact),
+            Self::Soft(rule) => rule.collide(impact),
         }
     }
 }

@@ -6,12 +6,12 @@ use carom::particle::Body;
 use carom::world::ScheduledEvent;
 use carom::world::Snapshot;
 use carom::{Memory, World};
-use carom_host::storage::Storage;
+use carom_host::storage::HeapMemory;
 
 #[test]
 fn a_snapshot_goes_on_with_the_same_bits() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
-    let mut storage = Storage::new(20);
+    let mut storage = HeapMemory::new(20);
     let mut world = World::builder(&mut storage)
         .walls([[0.0, 5.0]; 2])
         .gravity([0.0, -0.1])
@@ -43,7 +43,7 @@ fn a_snapshot_goes_on_with_the_same_bits() {
 #[test]
 fn a_snapshot_that_is_not_one_is_refused() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
-    let mut storage = Storage::new(2);
+    let mut storage = HeapMemory::new(2);
     let world = World::builder(&mut storage)
         .rule(rule)
         .grains(gas::<f64, 2>(2, 1, 5.0, [0.2, 0.4]))

@@ -4,7 +4,7 @@ use crate::gas::{damped_spring, gas};
 use carom::law::{Outside, Soft};
 use carom::scalar::Vector;
 use carom::{Grain, World};
-use carom_host::storage::Storage;
+use carom_host::storage::HeapMemory;
 use proptest::prelude::*;
 
 const LENGTH: f64 = 6.0;
@@ -14,7 +14,7 @@ const TIME: f64 = 3.0;
 
 /// Positions and velocities afterwards, in the periodic box; none if nothing collided.
 fn run(grains: &[Grain<f64, 2>]) -> Option<Vec<Grain<f64, 2>>> {
-    let mut storage = Storage::new(grains.len());
+    let mut storage = HeapMemory::new(grains.len());
     let mut world = World::builder(&mut storage)
         .periodic([[0.0, LENGTH]; 2])
         .rule(Soft::linear_dashpot(damped_spring(), Outside::HardSphere))

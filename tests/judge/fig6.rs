@@ -1,6 +1,6 @@
 //! Does MP13's Fig. 6 come out? Reads the reference's path of two soft grains; checks eMD* and eMD after the contact.
 
-use carom::law::{Central, LinearDashpot, Outside, Rule, Soft, tables};
+use carom::law::{Central, LinearDashpot, Outside, Rule, Soft, embedded};
 use carom::{Grain, Memory, World};
 use carom_host::integrated::Integrated;
 use serde_json::Value;
@@ -83,7 +83,7 @@ fn integrated_it_is_the_md_path() {
 #[test]
 fn with_the_wide_table_it_is_the_md_path_within_the_certificate() {
     let path = reference();
-    let table = &tables::wide::LINEAR_DASHPOT;
+    let table = &embedded::wide::LINEAR_DASHPOT;
     let worst = off(Soft::with_table(LAW, table, Outside::Reject), &path);
     let promised = &table.certificate.quantile_999;
     let bound = 2.0 * (promised.angle + promised.speed + promised.tau) + promised.separation;

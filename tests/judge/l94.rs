@@ -1,11 +1,11 @@
 //! Do columns of beads come out as in L94 (Luding et al., Phys. Rev. E 50, 4113, 1994)? MD, ED and eMD* against reference data, the paper and Eq. (10).
 
+use carom_host::figure::fit;
 use carom_host::figure::l94::column::Column;
-use carom_host::figure::l94::fig2::{self, every_ed, impact, separations, ten};
-use carom_host::figure::l94::fig4;
-use carom_host::figure::l94::fit;
+use carom_host::figure::l94::layer;
+use carom_host::figure::l94::loss::{self, every_ed, impact, separations, ten};
 use carom_host::figure::l94::table1::{ROWS, measured, theory};
-use carom_host::reference::ForceLaw;
+use carom_reference::ForceLaw;
 
 /// Column `name` of a table of the reference data, as numbers.
 fn table(text: &str, names: [&str; 4]) -> Vec<[f64; 4]> {
@@ -72,7 +72,7 @@ fn the_papers_integrator_agrees() {
         let law = ForceLaw::spring_of(1.0, 2e-5, eps).unwrap();
         let column = Column::new(beads, 0.05, 0.0);
         let exact = column.collide(law).unwrap().restitution();
-        let steps = column.collide_in_steps(law, fig2::STEPS).unwrap().restitution();
+        let steps = column.collide_in_steps(law, loss::STEPS).unwrap().restitution();
         assert!((steps - exact).abs() < 2e-4, "N = {beads}, ε = {eps}: {steps} {exact}");
     }
 }
@@ -107,8 +107,8 @@ fn layers_by_both_integrators() {
     let (patience, seeds) = ([40.0, 20.0], 0..6);
     let mean = |exact: bool| {
         let eps = |seed| match exact {
-            true => fig4::wide(3.0, 0.0, seed).collide_exactly(patience),
-            false => fig4::wide(3.0, 0.0, seed).collide(50.0, patience),
+            true => layer::wide(3.0, 0.0, seed).collide_exactly(patience),
+            false => layer::wide(3.0, 0.0, seed).collide(50.0, patience),
         };
         fit::mean(&seeds.clone().map(|seed| eps(seed).unwrap()).collect::<Vec<f64>>())
     };

@@ -2,12 +2,12 @@
 
 use carom::law::{Outside, Soft, Viscoelastic};
 use carom::{Grain, World};
-use carom_host::figure::hard::theory;
-use carom_host::figure::l94::fit;
+use carom_host::figure::fit;
+use carom_host::figure::hard::pressure;
 use carom_host::figure::mp13::gas::{POISSON, SoftGas};
-use carom_host::figure::mp13::transport::{Effort, Flux, Measured, Way, enskog, measure};
-use carom_host::reference::{self, Boundary, End, ForceLaw, System, Verlet, VerletOptions};
-use carom_host::storage::Storage;
+use carom_host::figure::mp13::measure::{Effort, Flux, Measured, Way, enskog, measure};
+use carom_host::storage::HeapMemory;
+use carom_reference::{Boundary, End, ForceLaw, System, Verlet, VerletOptions};
 
 const RADIUS: f64 = 0.1;
 const MASS: f64 = 4.775;
@@ -27,7 +27,7 @@ fn moment(all: &[([f64; 3], [f64; 3])]) -> f64 {
 #[test]
 fn a_contact_adds_its_virial() {
     let law = Viscoelastic { young: 1e7, poisson: POISSON, dissipation: 0.0 };
-    let mut storage = Storage::<f64, 3>::new(2);
+    let mut storage = HeapMemory::<f64, 3>::new(2);
     let half = 0.5 * SIDE;
     let grain = |(r, v)| Grain::with_mass(RADIUS, MASS).at(r).moving(v);
     let setup = World::builder(&mut storage).periodic([[-half, half]; 3]);
@@ -47,8 +47,12 @@ fn a_contact_adds_its_virial() {
 
 /// The same sum by MD, its kinetic part from 15,000 looks.
 fn by_force(law: Viscoelastic<f64>) -> f64 {
-    let grain =
-        |(position, velocity)| reference::Grain { radius: RADIUS, mass: MASS, position, velocity };
+    let grain = |(position, velocity)| carom_reference::Grain {
+        radius: RADIUS,
+        mass: MASS,
+        position,
+        velocity,
+    };
     let sides = [Boundary::PeriodicAxis { lo: -0.5 * SIDE, hi: 0.5 * SIDE }; 3];
     let system = System::new(STARTS.map(grain).to_vec(), sides, [0.0; 3]).unwrap();
     let law = ForceLaw::Viscoelastic { young: law.young, poisson: POISSON, dissipation: 0.0 };
@@ -81,7 +85,7 @@ fn emd_has_the_pressure_and_self_diffusion_of_hard_spheres() {
     let effort = Effort { settle: 5.0, measure: 30.0, steps: 50.0 };
     let [diffusion, pressure] =
         over_seeds(4, |seed| measure(&gas(256, 0.1, 1e9, seed), Way::Emd, effort).unwrap());
-    let z = theory::carnahan_starling(0.1);
+    let z = pressure::carnahan_starling(0.1);
     let [_, d] = enskog(0.1);
     println!("D/Enskog {:?}, Z/CS {:?}", diffusion.map(|x| x / d), pressure.map(|x| x / z));
     assert!((pressure[0] / z - 1.0).abs() < 0.01, "{pressure:?} {z}");

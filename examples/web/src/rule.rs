@@ -36,7 +36,7 @@ pub struct Chosen {
 }
 
 impl Rule<f64> for Chosen {
-    fn meet(&self, impact: &Impact<f64>) -> Answer<f64> {
+    fn collide(&self, impact: &Impact<f64>) -> Answer<f64> {
         match self.material {
             Material::Hard(restitution) => HardSphere { restitution }.meet(impact),
             Material::Linear(law) => self.soft(law, law::embedded::linear_dashpot(), impact),
@@ -62,7 +62,7 @@ impl Chosen {
     ) -> Answer<f64> {
         let table = Soft::with_table(law, table, self.outside.unwrap_or(Outside::Reject));
         let rule = OrIntegrated { law, table, integrate: self.outside.is_none() };
-        if self.lasting { rule.meet(impact) } else { Central(rule).meet(impact) }
+        if self.lasting { rule.collide(impact) } else { Central(rule).meet(impact) }
     }
 }
 
@@ -74,7 +74,7 @@ struct OrIntegrated<L> {
 }
 
 impl<L: ForceLaw<f64>> Rule<f64> for OrIntegrated<L> {
-    fn meet(&self, impact: &Impact<f64>) -> Answer<f64> {
+    fn collide(&self, impact: &Impact<f64>) -> Answer<f64> {
         let answer = self.table.meet(impact);
         if !(self.integrate && matches!(answer.response, Response::Refused { .. })) {
             return answer;

@@ -1,10 +1,9 @@
 //! `carom run`: what do the grains do? Reads a scenario; writes time series, trajectories and a summary.
 
-use crate::method;
-use crate::output;
 use crate::report::Files;
 use crate::run::{self, Plan};
 use crate::scenario::{MethodName, Scenario, Start};
+use crate::{method, output};
 use anyhow::{Context, Result};
 use clap::Args;
 use serde::Serialize;
@@ -42,7 +41,7 @@ struct Run {
     collisions: u64,
     kinetic_energy: f64,
     wall_seconds: f64,
-    counters: Vec<(&'static str, u64)>,
+    statistics: Vec<(&'static str, u64)>,
     files: Vec<PathBuf>,
 }
 
@@ -79,14 +78,14 @@ fn one(name: MethodName, scenario: &Scenario, start: &Start, folder: &Path) -> R
                 sample.time,
                 sample.collisions,
                 sample.kinetic_energy,
-                sample.counters.clone(),
+                sample.statistics.clone(),
             ));
             files.add(start, sample)
         })
     })?;
     let files = files.finish()?;
-    let (time, collisions, kinetic_energy, counters) = last.context("no sample was taken")?;
-    Ok(Run { method: name, time, collisions, kinetic_energy, wall_seconds, counters, files })
+    let (time, collisions, kinetic_energy, statistics) = last.context("no sample was taken")?;
+    Ok(Run { method: name, time, collisions, kinetic_energy, wall_seconds, statistics, files })
 }
 
 fn print(json: Option<&[u8]>, summary: &Summary, folder: &Path) -> Result<()> {
@@ -107,9 +106,11 @@ fn print(json: Option<&[u8]>, summary: &Summary, folder: &Path) -> Result<()> {
             run.kinetic_energy,
             run.wall_seconds
         )?;
-        let counters =
-            run.counters.iter().map(|(name, count)| format!("{} {count}", name.replace('_', " ")));
-        writeln!(sink, "             {}", counters.collect::<Vec<_>>().join(", "))?;
+        let statistics = run
+            .statistics
+            .iter()
+            .map(|(name, count)| format!("{} {count}", name.replace('_', " ")));
+        writeln!(sink, "             {}", statistics.collect::<Vec<_>>().join(", "))?;
         for file in &run.files {
             writeln!(sink, "             {}", file.display())?;
         }

@@ -1,4 +1,4 @@
-//! `carom sweep`: what do many runs come to? Reads a sweep file; writes a Parquet file with a row for each run.
+//! `carom sweep`, `carom merge`: what do many runs come to? Reads a sweep file or its shards; writes a Parquet file with a row for each run.
 
 use crate::sweep::{self, Plan};
 use anyhow::{Context, Result};
@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 /// The options of `carom sweep`.
 #[derive(Args, Debug)]
-pub struct Options {
+pub struct SweepOptions {
     /// The sweep (TOML); examples/sweep has one that is explained.
     sweep: PathBuf,
     /// The result; SWEEP.parquet beside the sweep if left out. A shard adds its number.
@@ -26,7 +26,7 @@ pub struct Options {
 ///
 /// # Errors
 /// A sweep that cannot be read or run, a file that cannot be written.
-pub fn run(options: &Options) -> Result<()> {
+pub fn sweep(options: &SweepOptions) -> Result<()> {
     let plan = Plan::read(&options.sweep)?;
     let out = options.out.clone().unwrap_or_else(|| options.sweep.with_extension("parquet"));
     let threads = options.threads.map_or(0, usize::from);
@@ -41,4 +41,26 @@ pub fn run(options: &Options) -> Result<()> {
         writeln!(sink, "{failed} of them failed: column error says why")?;
     }
     Ok(())
+}
+
+/// The options of `carom merge`.
+#[derive(Args, Debug)]
+pub struct MergeOptions {
+    /// The Parquet files of all shards, in any order.
+    #[arg(required = true)]
+    shards: Vec<PathBuf>,
+    /// The merged file: the same bytes that one process writes.
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+}
+
+/// Puts the shards together.
+///
+/// # Errors
+/// Shards of different sweeps, runs that are missing or there twice, a file that cannot be written.
+pub fn merge(options: &MergeOptions) -> Result<()> {
+    let rows = sweep::merge(&options.shards)?;
+    rows.write(&options.out)?;
+    let (file, count) = (options.out.display(), rows.rows.len());
+    Ok(writeln!(std::io::stdout().lock(), "{file}: {count} runs")?)
 }

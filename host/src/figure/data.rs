@@ -1,5 +1,6 @@
 //! What are the data of a figure? Reads numbers; writes nothing, keeps them in the form that `--json` prints.
 
+use crate::plot::Scene;
 use anyhow::{Result, ensure};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -147,4 +148,51 @@ impl Series {
         self.push(x, y);
         self.yerr.push(error);
     }
+}
+
+/// How a figure is to be made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// With the paper's statistics, however long that takes; otherwise in under two minutes.
+    pub full: bool,
+}
+
+/// What the paper says and what we get.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// Of what.
+    pub what: String,
+    /// What the paper says, or "not given".
+    pub paper: String,
+    /// What we get.
+    pub ours: String,
+}
+
+impl Note {
+    /// One line of the comparison.
+    pub fn new(what: impl Into<String>, paper: impl Into<String>, ours: impl Into<String>) -> Self {
+        Self { what: what.into(), paper: paper.into(), ours: ours.into() }
+    }
+}
+
+/// A figure that was made.
+#[derive(Clone, Debug)]
+pub struct Made {
+    /// Its data.
+    pub figure: Figure,
+    /// Its picture.
+    pub picture: Scene,
+    /// The comparison with the paper.
+    pub notes: Vec<Note>,
+}
+
+/// A figure that can be made.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Its name: paper and number.
+    pub id: &'static str,
+    /// What it shows, in one line.
+    pub what: &'static str,
+    /// Makes it.
+    pub make: fn(&Options) -> Result<Made>,
 }

@@ -1,7 +1,6 @@
-//! Where does a number stand on the page? Reads ranges and series; writes frames, ticks, labels and lines to a scene.
+//! Where does a number stand on the page? Reads ranges, series and fields; writes frames, ticks, lines and pixels to a scene.
 
-use super::colour::INK;
-use super::scene::{Colour, Rect, Scene, Stroke};
+use super::scene::{Colour, Item, Rect, Scene, Stroke};
 use super::text::{Align, Style};
 
 /// One axis of a panel.
@@ -116,7 +115,7 @@ impl Panel {
 
     /// Draws frame, ticks and numbers; over the lines, so last.
     pub fn frame(&self, scene: &mut Scene) {
-        let pen = Stroke::solid(INK, THIN);
+        let pen = Stroke::solid(Colour::INK, THIN);
         scene.rectangle(self.place, None, Some(pen));
         let Rect { x, y, width, height } = self.place;
         let (right, bottom) = (x + width, y + height);
@@ -125,7 +124,7 @@ impl Panel {
             scene.line(&[[at, bottom], [at, bottom - TICK]], pen, None);
             scene.line(&[[at, y], [at, y + TICK]], pen, None);
             if self.x.labelled {
-                let style = Style::new(SMALL, INK, Align::Middle);
+                let style = Style::new(SMALL, Colour::INK, Align::Middle);
                 scene.text([at, bottom + 3.0 + SMALL], &self.x.label(*tick), style);
             }
         }
@@ -134,7 +133,7 @@ impl Panel {
             scene.line(&[[x, at], [x + TICK, at]], pen, None);
             scene.line(&[[right, at], [right - TICK, at]], pen, None);
             if self.y.labelled {
-                let style = Style::new(SMALL, INK, Align::Right);
+                let style = Style::new(SMALL, Colour::INK, Align::Right);
                 scene.text([x - 4.0, at + 0.36 * SMALL], &self.y.label(*tick), style);
             }
         }
@@ -143,14 +142,14 @@ impl Panel {
     /// Names the axes.
     pub fn labels(&self, scene: &mut Scene, x: &str, y: &str, room: f64) {
         let Rect { x: left, y: top, width, height } = self.place;
-        let style = Style::new(NORMAL, INK, Align::Middle);
+        let style = Style::new(NORMAL, Colour::INK, Align::Middle);
         scene.text([left + width / 2.0, top + height + 17.0 + NORMAL], x, style);
         scene.text([left - room, top + height / 2.0], y, style.upwards());
     }
 
     /// A title over the frame, at its left end.
     pub fn title(&self, scene: &mut Scene, title: &str) {
-        let style = Style::new(NORMAL, INK, Align::Left);
+        let style = Style::new(NORMAL, Colour::INK, Align::Left);
         scene.text([self.place.x, self.place.y - 6.0], title, style);
     }
 
@@ -165,7 +164,7 @@ impl Panel {
         for (row, (name, stroke)) in entries.iter().enumerate() {
             let y = at[1] + 14.0 * row as f64;
             scene.line(&[[at[0], y], [at[0] + 22.0, y]], *stroke, None);
-            let style = Style::new(9.5, INK, Align::Left);
+            let style = Style::new(9.5, Colour::INK, Align::Left);
             scene.text([at[0] + 28.0, y + 3.4], name, style);
         }
     }
@@ -174,4 +173,43 @@ impl Panel {
     pub fn dot(&self, scene: &mut Scene, x: f64, y: f64, radius: f64, colour: Colour) {
         scene.disc(self.at(x, y), radius, Some(colour), None, Some(self.place));
     }
+}
+
+/// Values on a grid, row by row from the bottom; NaN is left white.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// Columns.
+    pub columns: usize,
+    /// The values.
+    pub values: Vec<f64>,
+}
+
+impl Field {
+    /// Draws the field over `place`, `low` as the darkest colour and `high` as the lightest.
+    pub fn draw(&self, scene: &mut Scene, place: Rect, low: f64, high: f64) {
+        let columns = self.columns.max(1);
+        let rows = self.values.len() / columns;
+        let mut rgba = Vec::with_capacity(4 * self.values.len());
+        for row in self.values.chunks_exact(columns).rev() {
+            for value in row {
+                if value.is_nan() {
+                    rgba.extend([255, 255, 255, 0]);
+                } else {
+                    let [r, g, b] = Colour::scale((value - low) / (high - low)).rgb;
+                    rgba.extend([r, g, b, 255]);
+                }
+            }
+        }
+        scene.items.push(Item::Pixels { place, size: [columns as u32, rows as u32], rgba });
+    }
+}
+
+/// A horizontal colour bar from `low` to `high` with about three numbers below it.
+pub fn colour_bar(scene: &mut Scene, place: Rect, low: f64, high: f64) {
+    let columns = 256;
+    let values = (0..columns).map(|k| k as f64 / (columns - 1) as f64).collect();
+    Field { columns, values }.draw(scene, place, 0.0, 1.0);
+    // Numbers with two decimals need more room.
+    let x = Axis::linear(low, high, if high - low < 0.3 { 3 } else { 4 });
+    Panel { place, x, y: Axis::with_ticks(0.0, 1.0, Vec::new()) }.frame(scene);
 }

@@ -1,4 +1,4 @@
-//! What is in a picture? Reads shapes as they are drawn; writes nothing, keeps them in order.
+//! What is in a picture, and which colour stands for what? Reads shapes as they are drawn; writes nothing, keeps them in order.
 
 use tiny_skia::{Path, PathBuilder};
 
@@ -12,6 +12,27 @@ pub struct Colour {
 }
 
 impl Colour {
+    /// Ink of frames, ticks and letters.
+    pub const INK: Self = Self::rgb(0x22, 0x22, 0x22);
+    /// Force-based MD: black, as in MP13 Fig. 6.
+    pub const MD: Self = Self::rgb(0x11, 0x11, 0x11);
+    /// eMD: red, as in MP13 Fig. 6 (a tone that differs from the green also for the colour-blind).
+    pub const EMD: Self = Self::rgb(0xd5, 0x3e, 0x1f);
+    /// eMD*: green, as in MP13 Fig. 6.
+    pub const EMD_STAR: Self = Self::rgb(0x00, 0x8f, 0x6b);
+    /// A fourth line.
+    pub const BLUE: Self = Self::rgb(0x2a, 0x66, 0xb3);
+    /// Help lines.
+    pub const FAINT: Self = Self::rgb(0xb8, 0xb8, 0xb8);
+    /// Nothing there.
+    pub const WHITE: Self = Self::rgb(0xff, 0xff, 0xff);
+
+    /// A colour scale whose lightness grows evenly (viridis); `fraction` is held to 0..1.
+    pub fn scale(fraction: f64) -> Self {
+        let colour = colorous::VIRIDIS.eval_continuous(fraction.clamp(0.0, 1.0));
+        Self::rgb(colour.r, colour.g, colour.b)
+    }
+
     /// An opaque colour.
     pub const fn rgb(red: u8, green: u8, blue: u8) -> Self {
         Self { rgb: [red, green, blue], opacity: 1.0 }

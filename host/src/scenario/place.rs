@@ -1,12 +1,69 @@
 //! Where do the grains of a gas go? Reads number, radii and box; writes grains that do not overlap.
 
-use super::Gas;
-use super::start::{Placed, Side, sphere_mass};
+use super::spec::Gas;
 use anyhow::{Result, bail};
+use carom_reference::Plate;
 use rand::{RngExt, SeedableRng};
 use rand_distr::StandardNormal;
 use rand_pcg::Pcg64;
 use std::collections::HashMap;
+use std::f64::consts::PI;
+
+/// One grain at time 0; components beyond the dimension are 0.
+///
+/// # Units
+/// SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placed {
+    /// R.
+    pub radius: f64,
+    /// m.
+    pub mass: f64,
+    /// Centre.
+    pub position: [f64; 3],
+    /// Velocity.
+    pub velocity: [f64; 3],
+}
+
+/// One axis of the box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Side {
+    /// Nothing.
+    Open,
+    /// The box repeats from the first to the second number.
+    PeriodicAxis([f64; 2]),
+    /// Walls that follow the contact law.
+    Soft([f64; 2]),
+    /// Walls with this coefficient of restitution.
+    Hard([f64; 2], f64),
+    /// A plate below, soft or with this coefficient of restitution; nothing above.
+    Plate(Plate, Option<f64>),
+}
+
+impl Side {
+    /// Where the axis begins and ends, if it does.
+    pub const fn range(&self) -> Option<[f64; 2]> {
+        match *self {
+            Self::Open | Self::Plate(..) => None,
+            Self::PeriodicAxis(range) | Self::Soft(range) | Self::Hard(range, _) => Some(range),
+        }
+    }
+
+    /// The nearest image of a separation along this axis.
+    pub fn nearest(&self, separation: f64) -> f64 {
+        match *self {
+            Self::PeriodicAxis([from, to]) => {
+                separation - (to - from) * (separation / (to - from)).round()
+            }
+            _ => separation,
+        }
+    }
+}
+
+/// Mass of a sphere.
+pub(super) fn sphere_mass(radius: f64, density: f64) -> f64 {
+    4.0 / 3.0 * PI * radius.powi(3) * density
+}
 
 /// Tries to place one grain before the box is called full.
 const TRIES: usize = 20_000;
@@ -62,7 +119,7 @@ fn find_place(
     let mut room = [[0.0; 2]; 3];
     for (axis, room) in room.iter_mut().enumerate().take(dimension) {
         *room = match sides[axis] {
-            Side::Periodic(range) => range,
+            Side::PeriodicAxis(range) => range,
             Side::Soft([from, to]) | Side::Hard([from, to], _) => [from + radius, to - radius],
             Side::Open | Side::Plate(..) => {
                 bail!("box.{}: a gas needs every axis walled or periodic", ["x", "y", "z"][axis])
@@ -115,7 +172,7 @@ impl<'a> Cells<'a> {
     /// Cells along an axis; a periodic axis has a whole number, so the last one may be wider.
     fn cell(&self, axis: usize, at: f64) -> i64 {
         match self.sides[axis] {
-            Side::Periodic([from, to]) => {
+            Side::PeriodicAxis([from, to]) => {
                 let count = self.count(axis);
                 (((at - from) / (to - from)).rem_euclid(1.0) * count as f64) as i64 % count
             }
@@ -125,7 +182,7 @@ impl<'a> Cells<'a> {
 
     fn count(&self, axis: usize) -> i64 {
         match self.sides[axis] {
-            Side::Periodic([from, to]) => (((to - from) / self.width).floor() as i64).max(1),
+            Side::PeriodicAxis([from, to]) => (((to - from) / self.width).floor() as i64).max(1),
             _ => i64::MAX,
         }
     }
@@ -147,7 +204,7 @@ impl<'a> Cells<'a> {
         (0..27).all(|step| {
             let shift = [step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1];
             let key = std::array::from_fn(|axis| match self.sides[axis] {
-                Side::Periodic(_) => (home[axis] + shift[axis]).rem_euclid(self.count(axis)),
+                Side::PeriodicAxis(_) => (home[axis] + shift[axis]).rem_euclid(self.count(axis)),
                 _ => home[axis] + shift[axis],
             });
             self.members.get(&key).is_none_or(|members| members.iter().all(apart))

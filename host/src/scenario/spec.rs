@@ -1,6 +1,114 @@
 //! What can a scenario file say? Reads nothing; writes nothing, names the fields and their values.
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
+
+/// A scenario as its file says it. See `scenarios/` for three that are explained.
+///
+/// # Units
+/// SI throughout.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scenario {
+    /// One line for tables and pictures.
+    #[serde(default)]
+    pub title: String,
+    /// 1, 2 or 3.
+    pub dimension: usize,
+    /// Uniform gravity, a number for each axis (m/s²); none if left out.
+    #[serde(default)]
+    pub gravity: Vec<f64>,
+    /// How long to run (s).
+    pub duration: Option<f64>,
+    /// Or: until so many collisions between grains have been seen at a sample.
+    pub collisions: Option<u64>,
+    /// Time between two samples (s).
+    pub sample: f64,
+    /// Which methods `carom run` runs: md, md-exact, emd, emd*; md, emd and emd* if left out.
+    #[serde(default)]
+    pub methods: Vec<MethodName>,
+    /// What bounds the axes; an axis left out is open.
+    #[serde(default, rename = "box")]
+    pub sides: Sides,
+    /// The contact law.
+    pub law: LawSpec,
+    /// How the event-driven methods treat what is out of the ordinary.
+    #[serde(default)]
+    pub options: Options,
+    /// Grains one by one.
+    #[serde(default, rename = "grain")]
+    pub grains: Vec<GrainSpec>,
+    /// Grains by number, placed at random.
+    pub gas: Option<Gas>,
+}
+
+/// A method of simulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum MethodName {
+    /// Force-based molecular dynamics, velocity Verlet.
+    #[serde(rename = "md")]
+    Md,
+    /// Force-based molecular dynamics, contact by contact, to about 12 digits.
+    #[serde(rename = "md-exact")]
+    #[cfg_attr(feature = "cli", value(name = "md-exact"))]
+    Exact,
+    /// Event-driven, hard spheres with the law's ε(v).
+    #[serde(rename = "emd")]
+    Emd,
+    /// Event-driven, with the full matrix of restitution.
+    #[serde(rename = "emd*")]
+    #[cfg_attr(feature = "cli", value(name = "emd*"))]
+    EmdStar,
+}
+
+impl MethodName {
+    /// The three ways of the comparison.
+    pub const ALL: [Self; 3] = [Self::Md, Self::Emd, Self::EmdStar];
+
+    /// As it is written in tables and pictures.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Md => "MD",
+            Self::Exact => "MD, exact",
+            Self::Emd => "eMD",
+            Self::EmdStar => "eMD*",
+        }
+    }
+
+    /// As it is written in file names.
+    pub const fn file_stem(self) -> &'static str {
+        match self {
+            Self::Md => "md",
+            Self::Exact => "md-exact",
+            Self::Emd => "emd",
+            Self::EmdStar => "emd-star",
+        }
+    }
+}
+
+impl Scenario {
+    /// The methods to run: those asked for, or all that the law allows.
+    pub fn chosen_methods(&self) -> Vec<MethodName> {
+        match (self.methods.is_empty(), self.law) {
+            (false, _) => self.methods.clone(),
+            (true, LawSpec::Constant { .. }) => vec![MethodName::Emd],
+            (true, _) if self.hard_walls().is_some() => vec![MethodName::Emd, MethodName::EmdStar],
+            (true, _) => MethodName::ALL.to_vec(),
+        }
+    }
+
+    /// The first axis with hard walls, which no force-based method knows.
+    pub fn hard_walls(&self) -> Option<&'static str> {
+        let sides = [("x", self.sides.x), ("y", self.sides.y), ("z", self.sides.z)];
+        let hard = |side: SideSpec| match side {
+            SideSpec::Walls { surface, .. } | SideSpec::Plate { surface, .. } => {
+                surface == SurfaceSpec::Hard
+            }
+            _ => false,
+        };
+        sides.into_iter().find(|(_, side)| hard(*side)).map(|(name, _)| name)
+    }
+}
 
 /// What bounds each axis.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
@@ -25,7 +133,7 @@ pub enum SideSpec {
     #[default]
     Open,
     /// The box repeats.
-    Periodic {
+    PeriodicAxis {
         /// Lower end (m); may be left out with `gas.packing_fraction`.
         from: Option<f64>,
         /// Upper end (m).

@@ -1,60 +1,10 @@
-//! Where does everything stand at time 0? Reads a scenario; writes nothing, returns grains and box.
+//! Where does everything stand, and who overlaps whom? Reads a scenario; writes nothing, returns grains and box at time 0.
 
-use super::{Scenario, SideSpec, SurfaceSpec, place};
-use crate::reference::Plate;
+use super::place::{self, Placed, Side, sphere_mass};
+use super::spec::{Scenario, SideSpec, SurfaceSpec};
 use anyhow::{Result, bail};
+use carom_reference::Plate;
 use std::f64::consts::PI;
-
-/// One grain at time 0; components beyond the dimension are 0.
-///
-/// # Units
-/// SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Placed {
-    /// R.
-    pub radius: f64,
-    /// m.
-    pub mass: f64,
-    /// Centre.
-    pub position: [f64; 3],
-    /// Velocity.
-    pub velocity: [f64; 3],
-}
-
-/// One axis of the box.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Side {
-    /// Nothing.
-    Open,
-    /// The box repeats from the first to the second number.
-    Periodic([f64; 2]),
-    /// Walls that follow the contact law.
-    Soft([f64; 2]),
-    /// Walls with this coefficient of restitution.
-    Hard([f64; 2], f64),
-    /// A plate below, soft or with this coefficient of restitution; nothing above.
-    Plate(Plate, Option<f64>),
-}
-
-impl Side {
-    /// Where the axis begins and ends, if it does.
-    pub const fn range(&self) -> Option<[f64; 2]> {
-        match *self {
-            Self::Open | Self::Plate(..) => None,
-            Self::Periodic(range) | Self::Soft(range) | Self::Hard(range, _) => Some(range),
-        }
-    }
-
-    /// The nearest image of a separation along this axis.
-    pub fn nearest(&self, separation: f64) -> f64 {
-        match *self {
-            Self::Periodic([from, to]) => {
-                separation - (to - from) * (separation / (to - from)).round()
-            }
-            _ => separation,
-        }
-    }
-}
 
 /// Grains, box and gravity: the same for every method.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,11 +56,6 @@ impl Start {
     }
 }
 
-/// Mass of a sphere.
-pub(super) fn sphere_mass(radius: f64, density: f64) -> f64 {
-    4.0 / 3.0 * PI * radius.powi(3) * density
-}
-
 fn padded(numbers: &[f64]) -> [f64; 3] {
     std::array::from_fn(|k| numbers.get(k).copied().unwrap_or(0.0))
 }
@@ -123,7 +68,7 @@ fn sides(scenario: &Scenario) -> Result<[Side; 3]> {
         let name = ["x", "y", "z"][axis];
         *side = match spec {
             SideSpec::Open => Side::Open,
-            SideSpec::Periodic { from, to } => Side::Periodic(range(name, from, to, edge)?),
+            SideSpec::PeriodicAxis { from, to } => Side::PeriodicAxis(range(name, from, to, edge)?),
             SideSpec::Walls { from, to, surface, restitution } => {
                 let range = range(name, from, to, edge)?;
                 match surface {
@@ -169,4 +114,47 @@ fn range(name: &str, from: Option<f64>, to: Option<f64>, edge: Option<f64>) -> R
         ),
         _ => bail!("box.{name}: give both from and to [m]"),
     }
+}
+
+/// Whether each grain overlaps something.
+///
+/// Sweeps along the first axis, so that large systems take O(N log N) as long as they are dilute.
+pub fn touching(start: &Start, grains: &[Placed]) -> Vec<bool> {
+    let mut flags: Vec<bool> = grains.iter().map(|grain| on_wall(start, grain)).collect();
+    let widest = 2.0 * grains.iter().map(|grain| grain.radius).fold(0.0, f64::max);
+    let mut order: Vec<(f64, usize)> =
+        grains.iter().enumerate().map(|(i, grain)| (grain.position[0], i)).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // A second round, one period further on, for pairs across the periodic face.
+    let again: Vec<(f64, usize)> = match start.sides[0] {
+        Side::PeriodicAxis([from, to]) => {
+            let near = order.iter().take_while(|(x, _)| *x < from + widest);
+            near.map(|(x, i)| (x + to - from, *i)).collect()
+        }
+        _ => Vec::new(),
+    };
+    for (place, (x, i)) in order.iter().enumerate() {
+        let rest = order[place + 1..].iter().chain(&again);
+        for (_, j) in rest.take_while(|(other, _)| other - x < widest) {
+            if i != j && overlap(start, &grains[*i], &grains[*j]) {
+                flags[*i] = true;
+                flags[*j] = true;
+            }
+        }
+    }
+    flags
+}
+
+fn overlap(start: &Start, a: &Placed, b: &Placed) -> bool {
+    let square: f64 = start.nearest(&a.position, &b.position).iter().map(|x| x * x).sum();
+    square < (a.radius + b.radius).powi(2)
+}
+
+fn on_wall(start: &Start, grain: &Placed) -> bool {
+    start.sides.iter().zip(grain.position).any(|(side, x)| match *side {
+        Side::Soft([from, to]) => x - from < grain.radius || to - x < grain.radius,
+        // Wherever a plate is now, it is not above its highest place.
+        Side::Plate(plate, None) => x - plate.at - plate.amplitude < grain.radius,
+        _ => false,
+    })
 }

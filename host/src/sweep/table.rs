@@ -1,6 +1,5 @@
 //! What does one row say, and which columns are there? Reads and writes Parquet files, always the same bytes for the same rows.
 
-use super::plan::Source;
 use crate::output::Draft;
 use anyhow::{Context, Result, anyhow, bail};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
@@ -14,6 +13,19 @@ use parquet::schema::types::Type;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use std::sync::Arc;
+
+/// Where a sweep comes from: two results belong together only if all of this is the same.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Source {
+    /// The text of the sweep file.
+    pub sweep: String,
+    /// The text of the scenario file.
+    pub scenario: String,
+    /// The version of this program.
+    pub version: String,
+    /// How many runs there are.
+    pub runs: usize,
+}
 
 /// One number or word of a row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -198,8 +210,7 @@ impl Rows {
         let source = note(SOURCE)
             .ok_or_else(|| anyhow!("{}: not the result of carom sweep", file.display()))?;
         let source = serde_json::from_str(&source).with_context(name)?;
-        let shard =
-            note(SHARD).map(|text| super::shard(&text)).transpose().map_err(|why| anyhow!(why))?;
+        let shard = note(SHARD).map(|text| shard(&text)).transpose().map_err(|why| anyhow!(why))?;
         let fields = metadata.schema_descr().root_schema().get_fields();
         let columns =
             fields.iter().map(|field| column(field)).collect::<Result<_>>().with_context(name)?;
@@ -258,4 +269,15 @@ fn put<T: DataType>(
     let values: Vec<T::T> = cells.into_iter().flatten().collect();
     writer.typed::<T>().write_batch(&values, Some(&levels), None)?;
     Ok(())
+}
+
+/// Reads "i/n", the i-th of n shards.
+///
+/// # Errors
+/// What would be right.
+pub fn shard(text: &str) -> Result<[usize; 2], String> {
+    let parts = text.split_once('/').and_then(|(i, n)| Some([i.parse().ok()?, n.parse().ok()?]));
+    parts
+        .filter(|&[i, n]: &[usize; 2]| i >= 1 && i <= n)
+        .ok_or_else(|| format!("{text} is no shard, must be i/n with i from 1 to n"))
 }

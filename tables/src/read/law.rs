@@ -1,4 +1,7 @@
 //! Which force acts in a contact, and when does the contact end? Reads nothing; writes nothing, names the cases.
+//!
+//! Neither is `#[non_exhaustive]`: code that meets a law it does not know must not compile, rather than take
+//! it for another.
 
 /// A normal force law between two smooth spheres, scaled as in MP13, Sec. V.
 ///
@@ -6,7 +9,6 @@
 /// compression. Time is measured in units of `T`, length in units of `X = T v_n`, where `v_n` is
 /// the normal component of the impact velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub enum Law {
     /// Linear spring-dashpot: `F = k (l - r) - gamma r'` (MP13 Eq. 40).
     ///
@@ -20,7 +22,6 @@ pub enum Law {
 
 /// The instant at which a contact is over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub enum End {
     /// The force vanishes while the spheres separate (MP13 Eq. 10), so it never attracts.
     Force,

@@ -41,7 +41,7 @@ impl Judge {
 
     /// A fault must be one that the input explains.
     pub fn look<T>(&self, result: Result<T, Error>, draw: &Draw<'_>) -> Result<T, Error> {
-        if let Err(fault @ (Error::NotFinite { .. } | Error::BadRule { .. })) = &result {
+        if let Err(fault @ (Error::NotFinite { .. } | Error::InvalidOutcome { .. })) = &result {
             assert!(!draw.tame, "tame numbers, and yet: {fault}");
         }
         result
@@ -59,7 +59,7 @@ impl Judge {
         if draw.tame {
             let grain = world.grain(event.grain).unwrap();
             let numbers = grain.position.iter().chain(grain.velocity.iter());
-            assert!(numbers.copied().all(S::is_number), "{grain:?}");
+            assert!(numbers.copied().all(S::is_finite), "{grain:?}");
         }
     }
 

@@ -3,10 +3,10 @@
 //! Two grains come to overlap only where they collide (BSFP14 §3), so the pairs that a grain overlaps
 //! are among those it collided with. They are looked at whenever one of the two has an event.
 
-use carom::event::Kind;
-use carom::number::Vector;
-use carom::world::Happening;
-use carom::{View, Watch};
+use carom::scalar::Vector;
+use carom::world::Event;
+use carom::world::EventKind;
+use carom::{Observer, View};
 
 /// A pair just before it collides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,11 +125,13 @@ impl Overlaps {
     }
 }
 
-impl<const D: usize> Watch<f64, D> for Overlaps {
-    fn before(&mut self, happening: &Happening<f64>, view: View<'_, f64, D>) {
+impl<const D: usize> Observer<f64, D> for Overlaps {
+    fn before(&mut self, event: &Event<f64>, view: View<'_, f64, D>) {
         self.impact = None;
-        let (Kind::Meet, Some(k)) = (happening.kind, happening.partner.as_grain()) else { return };
-        let i = happening.grain;
+        let (EventKind::Collision, Some(k)) = (event.kind, event.partner.as_grain()) else {
+            return;
+        };
+        let i = event.grain;
         self.look(i, &view);
         self.look(k, &view);
         let Some((r, _)) = pair(&view, i, k) else { return };
@@ -141,9 +143,11 @@ impl<const D: usize> Watch<f64, D> for Overlaps {
         }
     }
 
-    fn after(&mut self, happening: &Happening<f64>, view: View<'_, f64, D>) {
-        let (Kind::Meet, Some(k)) = (happening.kind, happening.partner.as_grain()) else { return };
-        self.check(happening.grain, &view);
+    fn after(&mut self, event: &Event<f64>, view: View<'_, f64, D>) {
+        let (EventKind::Collision, Some(k)) = (event.kind, event.partner.as_grain()) else {
+            return;
+        };
+        self.check(event.grain, &view);
         self.check(k, &view);
     }
 }
@@ -172,7 +176,7 @@ mod tests {
     /// Looks at two grains at this distance.
     fn seen(ledger: &mut Overlaps, distance: f64) {
         let mut memory = Memory::<f64, 1, 2>::new();
-        let setup = World::setup(&mut memory).rule(HardSphere { restitution: 1.0 });
+        let setup = World::builder(&mut memory).rule(HardSphere { restitution: 1.0 });
         let grain = |x| Grain::with_mass(0.5, 1.0).at([x]);
         let world = setup.grains([grain(0.0), grain(distance)]).unwrap().start().unwrap();
         ledger.look(0, &world.view());

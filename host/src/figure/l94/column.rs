@@ -1,6 +1,6 @@
 //! What becomes of a column of beads that hits a wall? Reads beads, gaps and ε; writes velocities after the impact, by MD (L94 Sec. IV).
 
-use crate::reference::{
+use carom_reference::{
     Boundary, ContactRecord, End, Exact, ForceLaw, Gear, Grain, Plate, Quiet, ReferenceError, Stop,
     System, VerletOptions,
 };

@@ -2,13 +2,13 @@
 
 use super::column::{Column, Outcome};
 use crate::integrated::Integrated;
-use crate::reference::ForceLaw;
-use crate::storage::Storage;
+use crate::storage::HeapMemory;
 use anyhow::{Context, Result, bail};
-use carom::event::Counters;
 use carom::law::{HardSphere, LinearDashpot, Rule};
-use carom::matter::{Plane, Surface};
-use carom::{Fault, Grain, World};
+use carom::space::{Plane, Surface};
+use carom::world::Statistics;
+use carom::{Error, Grain, World};
+use carom_reference::ForceLaw;
 use carom_tables::read::End;
 
 /// More events than a column on a plate should need, in all and for each sample.
@@ -72,7 +72,7 @@ pub fn collide(column: &Column, law: &ForceLaw, way: Way) -> Result<Outcome> {
 pub fn heights(column: &Column, law: &ForceLaw, way: Way, times: &[f64]) -> Result<Vec<Vec<f64>>> {
     let law = dashpot(law)?;
     let [pair, wall] = restitution(&law);
-    let mut storage = Storage::<f64, 1>::new(column.beads);
+    let mut storage = HeapMemory::<f64, 1>::new(column.beads);
     match way {
         Way::Instant => {
             let rule = HardSphere { restitution: pair };
@@ -94,9 +94,9 @@ pub fn heights(column: &Column, law: &ForceLaw, way: Way, times: &[f64]) -> Resu
 pub fn counted<R: Rule<f64>>(
     mut world: World<'_, f64, 1, R>,
     times: &[f64],
-) -> Result<(Vec<Vec<f64>>, Counters)> {
+) -> Result<(Vec<Vec<f64>>, Statistics)> {
     let heights = sampled(&mut world, times)?;
-    Ok((heights, *world.counters()))
+    Ok((heights, *world.statistics()))
 }
 
 fn sampled<R: Rule<f64>>(world: &mut World<'_, f64, 1, R>, times: &[f64]) -> Result<Vec<Vec<f64>>> {
@@ -107,7 +107,7 @@ fn sampled<R: Rule<f64>>(world: &mut World<'_, f64, 1, R>, times: &[f64]) -> Res
         for slice in 1..=slices {
             let part = slice as f64 / slices as f64;
             world.advance_to(if slice == slices { *t } else { before + (t - before) * part })?;
-            let Counters { collisions, plane_collisions, interrupted, .. } = *world.counters();
+            let Statistics { collisions, plane_collisions, interrupted, .. } = *world.statistics();
             if collisions + plane_collisions + interrupted > most {
                 return Ok(rows);
             }
@@ -122,7 +122,7 @@ fn sampled<R: Rule<f64>>(world: &mut World<'_, f64, 1, R>, times: &[f64]) -> Res
 }
 
 fn run<R: Rule<f64>>(column: &Column, rule: R, surface: Surface<f64>) -> Result<Outcome> {
-    let mut storage = Storage::<f64, 1>::new(column.beads);
+    let mut storage = HeapMemory::<f64, 1>::new(column.beads);
     let mut world = start(column, &mut storage, rule, surface)?;
     for event in 0..LONGEST {
         let over = world.step()?.is_none();
@@ -141,13 +141,13 @@ fn run<R: Rule<f64>>(column: &Column, rule: R, surface: Surface<f64>) -> Result<
 /// The column as a world of the engine.
 fn start<'m, R: Rule<f64>>(
     column: &Column,
-    storage: &'m mut Storage<f64, 1>,
+    storage: &'m mut HeapMemory<f64, 1>,
     rule: R,
     surface: Surface<f64>,
-) -> Result<World<'m, f64, 1, R>, Fault> {
+) -> Result<World<'m, f64, 1, R>, Error> {
     let radius = 0.5 * column.diameter;
     let bead = |z: f64| Grain::with_mass(radius, 1.0).at([z]).moving([-column.speed]);
-    World::setup(storage)
+    World::builder(storage)
         .plane(Plane::new([1.0], 0.0, surface))
         .rule(rule)
         .grains(column.heights().into_iter().map(bead))?

@@ -1,10 +1,10 @@
 //! How do depth, duration and loss of a contact grow with the impact speed? Reads exponents β and γ; writes L94 Table I, measured.
 
-use super::fit::slope;
-use crate::figure::draw::{self, Kind, Look, Mark, Scale};
-use crate::figure::{Figure, Made, Note, Options, Series};
-use crate::reference::{End, ForceLaw, Grain, ReferenceError, collide};
+use crate::figure::data::{Figure, Made, Note, Options, Series};
+use crate::figure::draw::{self, Kind, Mark, Predictor, Scale};
+use crate::figure::fit::slope;
 use anyhow::Result;
+use carom_reference::{End, ForceLaw, Grain, ReferenceError, collide};
 
 /// β and γ of Table I. Two misprints: β of the third row is 1/2, and ν_2 of the fourth is −1/5.
 pub const ROWS: [[f64; 2]; 5] = [[0.0, 0.0], [0.0, 0.2], [0.5, 0.0], [0.5, 0.5], [0.5, 0.25]];
@@ -85,7 +85,7 @@ pub fn make(_: &Options) -> Result<Made> {
         let what = format!("ν1, ν2, ν3 for β = {beta}, γ = {gamma}");
         notes.push(Note::new(what, shown(right), shown(found)));
     }
-    let look = Look::new("Exponents of the impact speed (L94 Table I)")
+    let look = Predictor::new("Exponents of the impact speed (L94 Table I)")
         .labels("*k*: ν_{1} of *x*_{max}, ν_{2} of *t*_{c}, ν_{3} of 1 − ε", "ν_{k}")
         .scales(Scale::LINEAR.from(0.5, 3.5), Scale::LINEAR.from(-0.4, 1.1))
         .kinds(&[Kind::Dots])

@@ -1,12 +1,17 @@
-//! What is MP13's gas of soft spheres? Reads packing fraction and material; runs it by eMD*, writes how often it makes exceptions (MP13 Sec. VI B 6).
+//! Where can eMD* be trusted? Runs MP13's gas of soft spheres; writes how often it makes exceptions (MP13 Sec. VI B 6, Fig. 7).
 
+use crate::figure::data::{Figure, Made, Note, Options, Series};
+use crate::figure::draw::{self, Mark, Predictor, Scale};
 use crate::figure::hard::Fluid;
-use crate::storage::Storage;
+use crate::plot::{Colour, Scene};
+use crate::progress::Progress;
+use crate::storage::HeapMemory;
 use crate::tables::{Size, embedded};
 use anyhow::{Context, Result};
 use carom::law::{Outside, Soft, Viscoelastic};
-use carom::{Counters, Grain, World};
+use carom::{Grain, Statistics, World};
 use carom_tables::read::Law;
+use rayon::prelude::*;
 use std::f64::consts::{PI, SQRT_2};
 
 /// R.
@@ -41,7 +46,7 @@ pub struct SoftGas {
 #[derive(Clone, Copy, Debug)]
 pub struct Counted {
     /// By the engine.
-    pub counters: Counters,
+    pub statistics: Statistics,
     /// The thermal velocity at the end, √(2 kT/m).
     pub thermal_velocity: f64,
 }
@@ -49,7 +54,7 @@ pub struct Counted {
 impl Counted {
     /// Of every thousand collisions, how many were such, with Poisson's error; that of one where none was.
     pub fn per_thousand(&self, exceptions: u64) -> [f64; 2] {
-        let thousands = self.counters.collisions.max(1) as f64 / 1000.0;
+        let thousands = self.statistics.collisions.max(1) as f64 / 1000.0;
         [exceptions as f64 / thousands, (exceptions.max(1) as f64).sqrt() / thousands]
     }
 }
@@ -100,13 +105,127 @@ impl SoftGas {
     /// What the engine says.
     pub fn count(&self, collisions: u64) -> Result<Counted> {
         let half = 0.5 * self.edge();
-        let mut storage = Storage::<f64, 3>::new(self.grains);
-        let setup = World::setup(&mut storage).periodic([[-half, half]; 3]).rule(self.rule());
+        let mut storage = HeapMemory::<f64, 3>::new(self.grains);
+        let setup = World::builder(&mut storage).periodic([[-half, half]; 3]).rule(self.rule());
         let mut world = setup.grains(self.start()?)?.start()?;
-        while world.counters().collisions < collisions {
+        while world.statistics().collisions < collisions {
             world.step()?.context("no grain will ever meet another")?;
         }
         let energy = world.view().kinetic_energy() / (self.grains as f64 * mass());
-        Ok(Counted { counters: *world.counters(), thermal_velocity: (4.0 / 3.0 * energy).sqrt() })
+        Ok(Counted {
+            statistics: *world.statistics(),
+            thermal_velocity: (4.0 / 3.0 * energy).sqrt(),
+        })
     }
+}
+
+const PACKINGS: [f64; 6] = [3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1];
+const MODULI: [f64; 5] = [1e7, 1e8, 1e9, 1e10, 1e11];
+/// The gas that both scans share.
+const MIDDLE: SoftGas =
+    SoftGas { grains: 10_000, packing: 1e-3, young: 1e9, dissipation: 0.0, seed: 1 };
+/// A: none, as in the paper, and so much that ε is about 0.9 at 2 m/s and 1 GPa.
+const DISSIPATIONS: [f64; 2] = [0.0, 4e-5];
+
+/// What is varied.
+const SCANS: [&str; 2] = ["packing", "young"];
+
+/// The gases of a scan.
+fn gases(scan: &str, dissipation: f64) -> Vec<(f64, SoftGas)> {
+    let gas = SoftGas { dissipation, ..MIDDLE };
+    match scan {
+        "packing" => PACKINGS.iter().map(|x| (*x, SoftGas { packing: *x, ..gas })).collect(),
+        _ => MODULI.iter().map(|x| (*x, SoftGas { young: *x, ..gas })).collect(),
+    }
+}
+
+/// Makes the figure: frequencies of both exceptions along both scans, elastic and dissipative.
+pub fn make(options: &Options) -> Result<Made> {
+    let collisions = if options.full { 1_000_000 } else { 30_000 };
+    let points = (PACKINGS.len() + MODULI.len()) * DISSIPATIONS.len();
+    let progress = Progress::new("mp13-7", points as u64);
+    let axes = ["packing fraction η, or Y (Pa)", "exceptions per 1000 collisions"];
+    let mut figure = Figure::new("mp13-7", axes);
+    let mut notes = Vec::new();
+    for scan in SCANS {
+        for dissipation in DISSIPATIONS {
+            let one = |(x, gas): &(f64, SoftGas)| {
+                let counted = gas.count(collisions);
+                progress.add(1);
+                counted.map(|counted| (*x, counted))
+            };
+            let counted: Vec<(f64, Counted)> =
+                gases(scan, dissipation).par_iter().map(one).collect::<Result<_>>()?;
+            for exception in ["a", "b"] {
+                figure = figure.with(series(scan, dissipation, exception, &counted));
+            }
+            notes.extend(counted.iter().map(|(x, counted)| note(scan, dissipation, *x, counted)));
+        }
+    }
+    let picture = picture(&figure);
+    Ok(Made { figure, picture, notes })
+}
+
+fn frequency(exception: &str, counted: &Counted) -> [f64; 2] {
+    counted.per_thousand(match exception {
+        "a" => counted.statistics.rotation_refused,
+        _ => counted.statistics.interrupted,
+    })
+}
+
+fn kind(dissipation: f64) -> &'static str {
+    if dissipation == 0.0 { "elastic" } else { "dissipative" }
+}
+
+fn series(scan: &str, dissipation: f64, exception: &str, all: &[(f64, Counted)]) -> Series {
+    let mut series = Series::new(format!("({exception}) {}", kind(dissipation)))
+        .param("method", "eMD*")
+        .param("against", scan)
+        .param("exception", exception)
+        .param("dissipation", dissipation);
+    for (x, counted) in all {
+        let [y, error] = frequency(exception, counted);
+        series.push_with_error(*x, y, error);
+    }
+    series
+}
+
+fn note(scan: &str, dissipation: f64, x: f64, counted: &Counted) -> Note {
+    let Counted { statistics, thermal_velocity } = counted;
+    let [[a, da], [b, db]] = ["a", "b"].map(|exception| frequency(exception, counted));
+    let ours = format!(
+        "(a) {a:.3} ± {da:.3}, (b) {b:.3} ± {db:.3}; {} outside the table; {thermal_velocity:.2} m/s at the end",
+        statistics.hard_sphere
+    );
+    let says = match dissipation == 0.0 && (scan == "young" || x <= 0.01) {
+        true => "about 1 or less; none if hard or dilute",
+        false => "not given",
+    };
+    let name = if scan == "packing" { "η" } else { "Y" };
+    Note::new(format!("{}, {name} = {x:e}: in 1/1000", kind(dissipation)), says, ours)
+}
+
+/// One diagram for each scan.
+fn picture(figure: &Figure) -> Scene {
+    let [left, right] = SCANS.map(|scan| {
+        let mut part = figure.clone();
+        part.series.retain(|series| series.params.get("against") == Some(&scan.into()));
+        let (title, label, range) = match scan {
+            "packing" => ("*Y* = 1 GPa", "packing fraction η", [2e-4, 0.2]),
+            _ => ("η = 0.001", "*Y* [Pa]", [4e6, 3e11]),
+        };
+        let look =
+            Predictor::new(format!("Exceptions of eMD∗, *N* = 10,000, {title} (MP13 Fig. 7)"))
+                .labels(label, "*f*_{e} [1/1000]")
+                .scales(Scale::LOG.from(range[0], range[1]), Scale::LOG.from(1e-3, 1e3))
+                .mark(Mark::Level(1.0, "paper: “about 0.1 %”".to_owned()));
+        draw::draw(&part, &Predictor { colours: colours(), ..look })
+    });
+    draw::beside(left, right)
+}
+
+/// One colour an exception, paler with dissipation.
+fn colours() -> Vec<Colour> {
+    let hues = [Colour::BLUE, Colour::EMD];
+    [1.0, 0.4].into_iter().flat_map(|opacity| hues.map(|hue| hue.with_opacity(opacity))).collect()
 }

@@ -1,0 +1,139 @@
+//! How far does a run in fixed steps go? Reads a time, or contacts and free flights; goes on until then, or until nothing more comes.
+
+use super::gear::Gear;
+use super::verlet::Verlet;
+use crate::error::ReferenceError;
+use crate::quiet::{Quiet, Stop, all_apart};
+
+/// Molecular dynamics in fixed steps, by whatever scheme.
+trait Steps<const D: usize> {
+    /// Positions, velocities and clock.
+    fn state(&mut self) -> &mut Verlet<D>;
+
+    /// Up to `count` steps of length h, from and to a full step; fewer if the step must shrink.
+    fn run(&mut self, count: u64, h: f64) -> u64;
+}
+
+impl<const D: usize> Steps<D> for Verlet<D> {
+    fn state(&mut self) -> &mut Self {
+        self
+    }
+
+    fn run(&mut self, count: u64, h: f64) -> u64 {
+        self.take_steps(count, h)
+    }
+}
+
+impl<const D: usize> Steps<D> for Gear<D> {
+    fn state(&mut self) -> &mut Verlet<D> {
+        &mut self.state
+    }
+
+    fn run(&mut self, count: u64, h: f64) -> u64 {
+        self.take_steps(count, h)
+    }
+}
+
+/// Goes on to time t in equal steps, none longer than the scheme's own.
+fn advance<const D: usize>(scheme: &mut impl Steps<D>, t: f64) -> Result<(), ReferenceError> {
+    if !(t.is_finite() && t >= scheme.state().now) {
+        return Err(ReferenceError::parameter("t", t, "finite and at least the present time"));
+    }
+    while scheme.state().now < t {
+        let left = t - scheme.state().now;
+        let count = (left / scheme.state().step).ceil().max(1.0);
+        let done = scheme.run(count as u64, left / count);
+        let state = scheme.state();
+        state.now = if done == count as u64 { t } else { state.now + done as f64 * left / count };
+        state.clock = state.now;
+        if !state.fastest.is_finite() {
+            let why = "its velocity is no longer finite";
+            return Err(ReferenceError::Unresolved { time: state.now, grain: 0, why });
+        }
+    }
+    Ok(())
+}
+
+fn advance_until_quiet<const D: usize>(
+    scheme: &mut impl Steps<D>,
+    quiet: Quiet,
+) -> Result<Stop, ReferenceError> {
+    loop {
+        if let Some(stop) = scheme.state().over(quiet) {
+            return Ok(stop);
+        }
+        let t = scheme.state().next_look(quiet);
+        advance(scheme, t)?;
+    }
+}
+
+impl<const D: usize> Verlet<D> {
+    /// Goes on to time t in equal steps, none longer than [`Verlet::time_step`].
+    ///
+    /// # Errors
+    ///
+    /// [`ReferenceError::Parameter`] if t is before now or not finite,
+    /// [`ReferenceError::Unresolved`] if a velocity is no longer finite.
+    pub fn advance_to(&mut self, t: f64) -> Result<(), ReferenceError> {
+        advance(self, t)
+    }
+
+    /// Goes on until all fly apart for good, or no contact has existed for some time.
+    ///
+    /// That is looked at about once a contact time, so the run stops a little late. A contact whose
+    /// force changes velocities by less than 1e-6 of the fastest one counts as none.
+    ///
+    /// # Errors
+    ///
+    /// As [`Verlet::advance_to`].
+    pub fn advance_until_quiet(&mut self, quiet: Quiet) -> Result<Stop, ReferenceError> {
+        advance_until_quiet(self, quiet)
+    }
+
+    /// Whether there is a contact now whose force, over a contact time, changes a velocity by more
+    /// than 1e-6 of the fastest one.
+    pub fn in_contact(&self) -> bool {
+        self.pushed
+    }
+
+    fn next_look(&self, quiet: Quiet) -> f64 {
+        (self.now + self.step * self.options.steps_per_contact).min(quiet.limit)
+    }
+
+    fn over(&self, quiet: Quiet) -> Option<Stop> {
+        let touches = self.pushed;
+        if !touches && all_apart(&self.grains(), &self.boundary, &self.gravity) {
+            return Some(Stop::Apart);
+        }
+        if !touches && self.now - self.touched.max(0.0) > quiet.interval {
+            return Some(Stop::Quiet);
+        }
+        (self.now >= quiet.limit).then_some(Stop::Limit)
+    }
+}
+
+impl<const D: usize> Gear<D> {
+    /// Goes on to time t in equal steps, none longer than [`Gear::time_step`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Verlet::advance_to`].
+    pub fn advance_to(&mut self, t: f64) -> Result<(), ReferenceError> {
+        advance(self, t)
+    }
+
+    /// Whether there is a contact now whose force, over a contact time, changes a velocity by more
+    /// than 1e-6 of the fastest one.
+    pub fn in_contact(&self) -> bool {
+        self.state.in_contact()
+    }
+
+    /// As [`Verlet::advance_until_quiet`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Verlet::advance_to`].
+    pub fn advance_until_quiet(&mut self, quiet: Quiet) -> Result<Stop, ReferenceError> {
+        advance_until_quiet(self, quiet)
+    }
+}

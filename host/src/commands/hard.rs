@@ -1,0 +1,230 @@
+//! `carom fluid`, `carom soak`: is it a fluid of hard spheres, and can anything stop it? Runs gases; writes what was measured beside published values.
+
+use crate::figure::hard::pressure::{self, Mean, Plan};
+use crate::figure::hard::{Fluid, Overlaps, Pace, Run, measure};
+use crate::progress::Progress;
+use anyhow::{Result, ensure};
+use clap::Args;
+use serde::Serialize;
+use std::io::Write;
+
+/// The options of `carom fluid`.
+#[derive(Args, Debug)]
+pub struct FluidOptions {
+    /// Run ten times longer.
+    #[arg(long)]
+    full: bool,
+    /// Print the results as JSON.
+    #[arg(long)]
+    json: bool,
+    /// Seed of the velocities.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+/// One measured number beside the published one.
+#[derive(Debug, Serialize)]
+struct Row {
+    system: &'static str,
+    quantity: &'static str,
+    measured: f64,
+    standard_error: f64,
+    published: f64,
+    source: &'static str,
+    relative_difference: f64,
+}
+
+const CARNAHAN: &str = "Carnahan & Starling 1969, doi:10.1063/1.1672048";
+const KOLAFA: &str = "Kolafa & Rottner 2006, doi:10.1080/00268970600967963";
+const LUE: &str = "Lue 2005, doi:10.1063/1.1834498";
+
+/// Measures all systems.
+///
+/// # Errors
+/// What the engine says.
+pub fn fluid(options: &FluidOptions) -> Result<()> {
+    let blocks = if options.full { 200 } else { 20 };
+    let progress = Progress::new("fluid", 3 * blocks);
+    let mut rows = spheres(options, 1_372, "3D, N = 1,372, density 0.5", (100, blocks), &progress)?;
+    let large = spheres(options, 13_500, "3D, N = 13,500, density 0.5", (12, blocks), &progress)?;
+    rows.extend(large);
+    rows.extend(disks(options, (150, blocks), &progress)?);
+    drop(progress);
+    let mut out = std::io::stdout().lock();
+    if options.json {
+        return Ok(writeln!(out, "{}", serde_json::to_string_pretty(&rows)?)?);
+    }
+    print(&mut out, &rows)
+}
+
+fn spheres(
+    options: &FluidOptions,
+    grains: usize,
+    system: &'static str,
+    (block, blocks): (u64, u64),
+    progress: &Progress,
+) -> Result<Vec<Row>> {
+    let fluid = Fluid { seed: options.seed, ..Fluid::elastic(grains, 0.5) };
+    let plan = Plan { equilibrate: 100, block, blocks };
+    let measured = measure::<3>(&fluid, plan, || progress.add(1))?;
+    let z = pressure::carnahan_starling(pressure::packing_of_spheres(fluid.density));
+    Ok(vec![
+        row(system, "Z", measured.compressibility, z, CARNAHAN),
+        row(system, "mean free time", measured.mean_free_time, pressure::LUE, LUE),
+    ])
+}
+
+fn disks(
+    options: &FluidOptions,
+    (block, blocks): (u64, u64),
+    progress: &Progress,
+) -> Result<Vec<Row>> {
+    let eta = 0.5;
+    let fluid = Fluid {
+        seed: options.seed,
+        ..Fluid::elastic(1_024, eta / pressure::packing_of_disks(1.0))
+    };
+    let plan = Plan { equilibrate: 200, block, blocks };
+    let measured = measure::<2>(&fluid, plan, || progress.add(1))?;
+    let z = pressure::kolafa_rottner(eta);
+    Ok(vec![row("2D, N = 1,024, packing 0.5", "Z", measured.compressibility, z, KOLAFA)])
+}
+
+fn row(
+    system: &'static str,
+    quantity: &'static str,
+    Mean { value, error }: Mean,
+    published: f64,
+    source: &'static str,
+) -> Row {
+    Row {
+        system,
+        quantity,
+        measured: value,
+        standard_error: error,
+        published,
+        source,
+        relative_difference: value / published - 1.0,
+    }
+}
+
+fn print(out: &mut impl Write, rows: &[Row]) -> Result<()> {
+    writeln!(
+        out,
+        "{:<28} {:<15} {:>9}   {:<7} {:>9} {:>9}  source",
+        "elastic hard spheres", "quantity", "measured", "error", "published", "apart"
+    )?;
+    for row in rows {
+        let Row { system, quantity, measured, standard_error, published, source, .. } = row;
+        let apart = 100.0 * row.relative_difference;
+        writeln!(
+            out,
+            "{system:<28} {quantity:<15} {measured:>9.5} ± {standard_error:.5} {published:>9.5} {apart:>+7.2} %  {source}"
+        )?;
+    }
+    Ok(())
+}
+
+/// The options of `carom soak`.
+#[derive(Args, Debug)]
+pub struct SoakOptions {
+    /// How many collisions.
+    #[arg(long, default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
+    collisions: u64,
+    /// Coefficient of restitution, from 0 to 1.
+    #[arg(long, default_value_t = 0.9, value_parser = fraction)]
+    restitution: f64,
+    /// How many grains.
+    #[arg(long, default_value_t = 1_372, value_parser = clap::value_parser!(u32).range(16..))]
+    grains: u32,
+    /// Number density N σ³/V.
+    #[arg(long, default_value_t = 0.5)]
+    density: f64,
+    /// Seed of the velocities.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+fn fraction(text: &str) -> Result<f64> {
+    let value: f64 = text.parse()?;
+    ensure!((0.0..=1.0).contains(&value), "must be from 0 to 1");
+    Ok(value)
+}
+
+/// By how much an overlap may become deeper by rounding of positions in a box of some ten diameters.
+const DEEPER: f64 = 1e-14;
+
+/// Lines about progress.
+const LINES: u64 = 10;
+
+/// Runs.
+///
+/// # Errors
+/// What the engine says, or what it should not have done.
+pub fn soak(options: &SoakOptions) -> Result<()> {
+    let SoakOptions { collisions, restitution, grains, density, seed } = *options;
+    let fluid = Fluid { restitution, seed, ..Fluid::elastic(grains as usize, density) };
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "{grains} hard spheres, density {density}, restitution {restitution}")?;
+    writeln!(out, "  {:>12}  {:>11}  {:>13}  time", "collisions", "wall s", "energy/grain")?;
+    let begin = std::time::Instant::now();
+    let mut gas = Run::new(fluid, fluid.equilibrium::<3>(20)?);
+    let mut overlaps = Overlaps::new(fluid.grains);
+    let progress = Progress::new("soak", collisions);
+    let mut shown = 0;
+    let ran = gas.run(collisions, &mut overlaps, |pace| {
+        progress.add(pace.collisions - shown);
+        let tenth = |count: u64| count * LINES / collisions;
+        if tenth(pace.collisions) > tenth(shown) {
+            line(&mut out, pace, begin.elapsed().as_secs_f64())?;
+        }
+        shown = pace.collisions;
+        Ok(())
+    });
+    drop(progress);
+    report(&mut out, &gas.pace, &overlaps)?;
+    ran?;
+    judge(&gas.pace, &overlaps)
+}
+
+fn line(out: &mut impl Write, pace: &Pace, wall: f64) -> Result<()> {
+    let Pace { collisions, energy, units, time, .. } = pace;
+    let power = |power: u32, sign: &str| match power {
+        0 => String::new(),
+        _ => format!(" × 2^{sign}{power}"),
+    };
+    let (slower, longer) = (power(40 * units, "-"), power(20 * units, ""));
+    writeln!(out, "  {collisions:>12}  {wall:>11.1}  {energy:>13.4e}{slower}  {time:.6e}{longer}")?;
+    Ok(out.flush()?)
+}
+
+fn report(out: &mut impl Write, pace: &Pace, overlaps: &Overlaps) -> Result<()> {
+    let share = overlaps.overlapping as f64 / overlaps.impacts.max(1) as f64;
+    writeln!(out, "  the unit of time was made 2^20 times longer: {} times", pace.units)?;
+    writeln!(out, "  the gas streamed without colliding and was stirred: {} times", pace.stirred)?;
+    writeln!(out, "  impacts {}, overlapping {share:.4}", overlaps.impacts)?;
+    writeln!(out, "  impacts with a third grain overlapped: {}", overlaps.three_body)?;
+    writeln!(out, "  deepest overlap: {:.3e}", -overlaps.deepest)?;
+    writeln!(out, "  largest deepening of an overlap: {:.3e}", overlaps.decrease)?;
+    writeln!(
+        out,
+        "  overlapping pairs that approach after an event: {}, at most at {:.1e} of their speed",
+        overlaps.approaching, overlaps.fastest
+    )?;
+    writeln!(out, "  events before their predecessor: {}", pace.backward)?;
+    writeln!(out, "  most collisions at one instant: {}", pace.at_once)?;
+    let statistics = pace.statistics.iter().map(|(name, count)| format!("{name} {count}"));
+    writeln!(out, "  statistics: {}", statistics.collect::<Vec<_>>().join(", "))?;
+    Ok(())
+}
+
+/// What must not have happened.
+fn judge(pace: &Pace, overlaps: &Overlaps) -> Result<()> {
+    ensure!(pace.backward == 0, "{} events had a negative time step", pace.backward);
+    ensure!(
+        overlaps.decrease < DEEPER,
+        "an overlap became deeper by {:.1e}, more than {DEEPER:.1e}",
+        overlaps.decrease
+    );
+    Ok(())
+}

@@ -1,0 +1,323 @@
+//! How much energy does a column lose at a wall? Reads ε, N, gaps and force laws; writes L94 Figs. 2a, 2b, 2c and 3, by MD, ED and eMD*.
+
+use super::column::{Column, Outcome};
+use super::hard::{self, Way};
+use crate::figure::data::{Figure, Made, Note, Options, Series};
+use crate::figure::draw::{self, Kind, Mark, Predictor, Scale};
+use crate::figure::fit;
+use crate::plot::Colour;
+use crate::progress::Progress;
+use anyhow::{Context, Result};
+use carom_reference::ForceLaw;
+use rayon::prelude::*;
+
+/// The methods, as series name them.
+pub const METHODS: [&str; 3] = ["MD", "ED", "eMD*"];
+/// ε of Fig. 2b, from top to bottom.
+pub const RESTITUTIONS: [f64; 5] = [0.6, 0.8, 0.9, 0.95, 0.975];
+/// N of Fig. 2b.
+pub const BEADS: [usize; 7] = [1, 2, 5, 10, 20, 50, 100];
+/// Columns longer than this are left to L94's integrator unless the figure is to be `--full`.
+const LONGEST_EXACT: usize = 20;
+/// Steps per contact for those: ε_eff is then within 1e-5 of exact MD.
+pub const STEPS: f64 = 200.0;
+
+/// The abscissae of Fig. 2a, half a decade apart.
+pub fn separations() -> impl Iterator<Item = f64> {
+    (-6..=6).map(|k| 10f64.powf(0.5 * f64::from(k)))
+}
+
+/// One column by one method: "ED", "eMD*", or else MD.
+///
+/// # Errors
+/// What the method says.
+pub fn impact(method: &str, column: &Column, law: &ForceLaw, exact: bool) -> Result<Outcome> {
+    let outcome = match method {
+        "ED" => hard::collide(column, law, Way::Instant),
+        "eMD*" => hard::collide(column, law, Way::Lasting),
+        _ if exact || column.beads <= LONGEST_EXACT => Ok(column.collide(*law)?),
+        _ => Ok(column.collide_in_steps(*law, STEPS)?),
+    };
+    outcome.with_context(|| format!("{method}, N = {}, s0 = {}", column.beads, column.gap))
+}
+
+/// Columns of Fig. 2a: N = 10, ε = 0.9; only σ = s_0/(v_0 t_c) matters.
+const TEN: usize = 10;
+const SPEED: f64 = 0.2;
+const CONTACT_TIME: f64 = 1e-5;
+
+/// ε_eff of N = 10, ε = 0.9 at a separation σ.
+///
+/// # Errors
+/// As [`impact`].
+pub fn ten(method: &str, sigma: f64, speed: f64, jitter: Option<u64>) -> Result<f64> {
+    let law = ForceLaw::spring_of(1.0, CONTACT_TIME, 0.9)?;
+    let gap = sigma * speed * CONTACT_TIME;
+    Ok(impact(method, &Column { jitter, ..Column::new(TEN, speed, gap) }, &law, true)?
+        .restitution())
+}
+
+/// L94 Fig. 2a: ε_eff against σ.
+///
+/// # Errors
+/// As [`impact`].
+pub fn make_a(_: &Options) -> Result<Made> {
+    let progress = Progress::new("l94-2a", METHODS.len() as u64);
+    let mut figure = Figure::new("l94-2a", ["σ = s0/(v0 t_c)", "ε_eff"]);
+    for method in METHODS {
+        let mut series = Series::new(method).param("method", method).param("eps", 0.9);
+        for sigma in separations() {
+            series.push(sigma, ten(method, sigma, SPEED, None)?);
+        }
+        figure = figure.with(series.param("N", TEN as f64));
+        progress.add(1);
+    }
+    let look = Predictor::new("A column of 10 beads at a wall, ε = 0.9 (L94 Fig. 2a)")
+        .labels("σ = *s*_{0}/(*v*_{0} *t*_{c})", "ε_{eff}")
+        .scales(Scale::LOG.from(5e-4, 2e3), Scale::LINEAR.from(0.0, 1.05))
+        .kinds(&[Kind::Both, Kind::Line, Kind::Dots])
+        .mark(Mark::Level(0.341, "paper: ED, 0.341".to_owned()));
+    let picture = draw::draw(&figure, &look);
+    let notes = notes_a(&figure)?;
+    Ok(Made { figure, picture, notes })
+}
+
+fn notes_a(figure: &Figure) -> Result<Vec<Note>> {
+    let of = |method: &str, k: usize| {
+        figure.find(&[("method", method.into())]).map_or(f64::NAN, |s| s.y[k])
+    };
+    let [low, high] = every_ed()?;
+    let shifted = shifted()?;
+    let star = (0..13).map(|k| (of("eMD*", k) - of("ED", k)).abs()).fold(0.0, f64::max);
+    Ok(vec![
+        Note::new("ED, every s0 and v0, with jitter", "0.341 ± 0.002", span(low, high)),
+        Note::new("MD, σ = 1000", "near ED", format!("{:.5}", of("MD", 12))),
+        Note::new("MD, σ = 0.001", "loss very small", format!("{:.5}", of("MD", 0))),
+        Note::new("MD drops", "0.1 < σ < 1", format!("{:.3} to {:.3}", of("MD", 4), of("MD", 6))),
+        Note::new("MD, gaps at random, σ ≤ 0.1", "same curve", format!("within {:.4}", shifted[0])),
+        Note::new("MD, gaps at random, σ ≥ 10", "same curve", format!("within {:.1e}", shifted[1])),
+        Note::new("eMD* against ED", "not given", format!("within {star:.1e} at every σ")),
+    ])
+}
+
+fn span(low: f64, high: f64) -> String {
+    format!("{low:.5} to {high:.5}")
+}
+
+/// The least and the largest ε_eff of ED, over the paper's gaps and speeds, regular and at random.
+///
+/// # Errors
+/// As [`impact`].
+pub fn every_ed() -> Result<[f64; 2]> {
+    let law = ForceLaw::spring_of(1.0, CONTACT_TIME, 0.9)?;
+    let [mut low, mut high] = [f64::INFINITY, 0.0_f64];
+    for gap in [0.0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        for speed in [0.01, 0.2, 20.0] {
+            for jitter in [None, Some(1), Some(2)] {
+                let column = Column { jitter, ..Column::new(TEN, speed, gap) };
+                let eps = impact("ED", &column, &law, true)?.restitution();
+                [low, high] = [low.min(eps), high.max(eps)];
+            }
+        }
+    }
+    Ok([low, high])
+}
+
+/// How far MD with gaps at random is from MD with equal ones, at small and at large σ.
+fn shifted() -> Result<[f64; 2]> {
+    let most = |sigmas: [f64; 3]| {
+        let one = |(sigma, seed)| -> Result<f64> {
+            Ok((ten("MD", sigma, SPEED, Some(seed))? - ten("MD", sigma, SPEED, None)?).abs())
+        };
+        let runs: Vec<_> = sigmas.into_iter().flat_map(|s| (0..4).map(move |k| (s, k))).collect();
+        let all: Result<Vec<f64>> = runs.into_par_iter().map(one).collect();
+        Ok::<f64, anyhow::Error>(all?.into_iter().fold(0.0, f64::max))
+    };
+    Ok([most([1e-3, 1e-2, 1e-1])?, most([10.0, 100.0, 1000.0])?])
+}
+
+/// One column of Figs. 2b and 2c: s_0 = 0, v_0 = 0.05 m/s, t_c = 2e-5 s.
+struct Touching {
+    method: &'static str,
+    eps: f64,
+    outcomes: Vec<Outcome>,
+}
+
+fn touching(id: &str, options: &Options) -> Result<Vec<Touching>> {
+    let progress = Progress::new(id, (METHODS.len() * RESTITUTIONS.len() * BEADS.len()) as u64);
+    let both = METHODS.iter().flat_map(|m| RESTITUTIONS.iter().map(move |e| (*m, *e)));
+    let runs: Vec<_> = both.collect();
+    let one = |&(method, eps): &(&'static str, f64)| {
+        let law = ForceLaw::spring_of(1.0, 2e-5, eps)?;
+        let beads = |&n: &usize| {
+            let outcome = impact(method, &Column::new(n, 0.05, 0.0), &law, options.full);
+            progress.add(1);
+            outcome
+        };
+        let outcomes = BEADS.par_iter().map(beads).collect::<Result<_>>()?;
+        Ok(Touching { method, eps, outcomes })
+    };
+    runs.par_iter().map(one).collect()
+}
+
+/// L94 Fig. 2b: 1 − ε_eff of beads in contact, against N.
+///
+/// # Errors
+/// As [`impact`].
+pub fn make_b(options: &Options) -> Result<Made> {
+    let mut figure = Figure::new("l94-2b", ["N", "1 - ε_eff"]);
+    for run in touching("l94-2b", options)? {
+        let mut series = named(&run);
+        for (n, outcome) in BEADS.iter().zip(&run.outcomes) {
+            series.push(*n as f64, 1.0 - outcome.restitution());
+        }
+        figure = figure.with(series);
+    }
+    let slope = |eps: f64| {
+        let md = figure.find(&[("method", "MD".into()), ("eps", eps.into())]);
+        let of = |from: usize| {
+            let fitted = |s: &Series| fit::slope(&s.x[from..], &s.y[from..]);
+            md.map_or(f64::NAN, fitted)
+        };
+        format!("{:.3} (N ≥ 2), {:.3} (N ≥ 50)", of(1), of(5))
+    };
+    let notes = vec![
+        Note::new("slope of MD, ε = 0.6", "-0.5", slope(0.6)),
+        Note::new("slope of MD, ε = 0.975", "-0.315", slope(0.975)),
+        Note::new("MD, N = 10, ε = 0.9", "not given", format!("{:.5}", at(&figure, "MD", 0.9))),
+        Note::new("ED, N = 10, ε = 0.9", "0.659", format!("{:.5}", at(&figure, "ED", 0.9))),
+        Note::new("eMD*, N = 10, ε = 0.9", "not given", format!("{:.5}", at(&figure, "eMD*", 0.9))),
+        Note::new("ED, N = 10, ε = 0.6", "≈ 1", format!("{:.5}", at(&figure, "ED", 0.6))),
+    ];
+    let look = Predictor::new("Beads in contact hit a wall (L94 Fig. 2b)")
+        .labels("*N*", "1 − ε_{eff}")
+        .scales(Scale::LOG, Scale::LOG)
+        .mark(line(&figure, 0.6, -0.5))
+        .mark(line(&figure, 0.975, -0.315));
+    let picture = draw::draw(&figure, &styled(look));
+    Ok(Made { figure, picture, notes })
+}
+
+/// The paper's power law, through MD's value at N = 100.
+fn line(figure: &Figure, eps: f64, slope: f64) -> Mark {
+    let md = figure.find(&[("method", "MD".into()), ("eps", eps.into())]);
+    let last = md.and_then(|series| series.y.last()).copied().unwrap_or(f64::NAN);
+    let point = |n: f64| [n, last * (n / 100.0).powf(slope)];
+    let name = format!("paper: slope {slope}").replace('-', "−");
+    Mark::Curve(vec![point(5.0), point(100.0)], name)
+}
+
+fn at(figure: &Figure, method: &str, eps: f64) -> f64 {
+    let series = figure.find(&[("method", method.into()), ("eps", eps.into())]);
+    let ten = |s: &Series| s.x.iter().position(|n| *n == 10.0).map(|k| s.y[k]);
+    series.and_then(ten).unwrap_or(f64::NAN)
+}
+
+fn named(run: &Touching) -> Series {
+    Series::new(format!("{}, ε = {}", run.method, run.eps))
+        .param("method", run.method)
+        .param("eps", run.eps)
+}
+
+/// MD with lines and dots, ED with lines, eMD* with dots; one colour for each ε.
+fn styled(look: Predictor) -> Predictor {
+    let kinds = [Kind::Both, Kind::Line, Kind::Dots];
+    let kinds: Vec<Kind> = kinds.iter().flat_map(|kind| [*kind; RESTITUTIONS.len()]).collect();
+    let shade = |light: f32| {
+        (0..RESTITUTIONS.len())
+            .map(move |k| Colour::scale(0.85 * k as f64 / 4.0).with_opacity(light))
+    };
+    let colours = shade(1.0).chain(shade(0.45)).chain(shade(0.8)).collect();
+    Predictor { colours, ..look.kinds(&kinds) }
+}
+
+/// L94 Fig. 2c: E_r/E_f of beads in contact, against N.
+///
+/// # Errors
+/// As [`impact`].
+pub fn make_c(options: &Options) -> Result<Made> {
+    let mut figure = Figure::new("l94-2c", ["N", "E_r/E_f"]);
+    for run in touching("l94-2c", options)? {
+        let mut series = named(&run);
+        for (n, outcome) in BEADS.iter().zip(&run.outcomes) {
+            if let Some(share) = outcome.relative() {
+                series.push(*n as f64, share);
+            }
+        }
+        figure = figure.with(series);
+    }
+    let notes = vec![
+        Note::new("MD, N = 10, ε = 0.9", "0.035", format!("{:.5}", at(&figure, "MD", 0.9))),
+        Note::new("ED, N = 10, ε = 0.9", "not given", format!("{:.5}", at(&figure, "ED", 0.9))),
+        Note::new("eMD*, N = 10, ε = 0.9", "not given", format!("{:.5}", at(&figure, "eMD*", 0.9))),
+    ];
+    let look = Predictor::new("Energy relative to the centre of mass (L94 Fig. 2c)")
+        .labels("*N*", "*E*_{r}/*E*_{f}")
+        .scales(Scale::LOG, Scale::LINEAR.from(0.0, 0.08))
+        .mark(Mark::Points(vec![[10.0, 0.035]], "paper: N = 10, ε = 0.9".to_owned()));
+    let picture = draw::draw(&figure, &styled(look));
+    Ok(Made { figure, picture, notes })
+}
+
+/// N of the figure.
+pub const LONG: [usize; 8] = [1, 2, 5, 10, 20, 50, 100, 200];
+const SLOW: f64 = 0.05;
+
+/// Name, β, γ, K/m (1/(s² m^β)) and D_n (1/(s m^γ)), as the paper gives them.
+pub const LAWS: [(&str, [f64; 4]); 3] = [
+    ("Hooke", [0.0, 0.0, 2e9, 3.17e3]),
+    ("Hertz", [0.5, 0.0, 2e12, 2e3]),
+    ("Hertz–Kuwabara–Kono", [0.5, 0.5, 2e12, 1e5]),
+];
+
+/// One of them, for beads of mass 1: the paper's m is the reduced mass (Sec. III A).
+pub fn law([beta, gamma, per_mass, damping]: [f64; 4]) -> ForceLaw {
+    ForceLaw::PowerLaw { stiffness: 0.5 * per_mass, beta, damping, gamma, tangential: 0.0 }
+}
+
+/// Makes the figure.
+///
+/// # Errors
+/// What a method says.
+pub fn make_laws(options: &Options) -> Result<Made> {
+    let runs = LAWS.map(|(name, numbers)| ("MD", name, numbers)).into_iter();
+    let hooke = LAWS[0];
+    let runs = runs.chain(["ED", "eMD*"].map(|method| (method, hooke.0, hooke.1)));
+    let runs: Vec<(&str, &str, [f64; 4])> = runs.collect();
+    let progress = Progress::new("l94-3", (runs.len() * LONG.len()) as u64);
+    let one = |&(method, name, numbers): &(&str, &str, [f64; 4])| -> Result<Series> {
+        let beads = |&n: &usize| {
+            let outcome = impact(method, &Column::new(n, SLOW, 0.0), &law(numbers), options.full);
+            progress.add(1);
+            outcome.map(|outcome| outcome.restitution())
+        };
+        let y: Vec<f64> = LONG.par_iter().map(beads).collect::<Result<_>>()?;
+        let mut series = Series::new(format!("{method}, {name}"))
+            .param("method", method)
+            .param("beta", numbers[0])
+            .param("gamma", numbers[1]);
+        LONG.iter().zip(y).for_each(|(n, y)| series.push(*n as f64, y));
+        Ok(series)
+    };
+    let series = runs.par_iter().map(one).collect::<Result<Vec<_>>>()?;
+    let figure =
+        series.into_iter().fold(Figure::new("l94-3", ["N", "ε_eff"]), |f, series| f.with(series));
+    let look = Predictor::new("Beads in contact, three force laws (L94 Fig. 3)")
+        .labels("*N*", "ε_{eff}")
+        .scales(Scale::LOG, Scale::LINEAR.from(-0.02, 1.05));
+    let picture = draw::draw(&figure, &look);
+    let notes = figure.series.iter().map(note_laws).collect();
+    Ok(Made { figure, picture, notes })
+}
+
+fn note_laws(series: &Series) -> Note {
+    let said = match series.name.as_str() {
+        "MD, Hooke" => "increases with N",
+        "ED, Hooke" => "close to 0 for large N(1 − ε)",
+        "eMD*, Hooke" => "not given",
+        _ => "varies little with N",
+    };
+    let span = |from: usize| format!("{:.4} (N = {})", series.y[from], series.x[from]);
+    let ours = format!("{} to {}", span(1), span(series.y.len() - 1));
+    Note::new(series.name.clone(), said, ours)
+}

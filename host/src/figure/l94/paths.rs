@@ -1,0 +1,249 @@
+//! How do ten beads move, at a wall and on a plate? Reads gaps and contact times; writes trajectories by MD, ED and eMD* (L94 Figs. 1, 5).
+
+use super::column::Column;
+use super::hard::{self, Way};
+use super::loss::METHODS;
+use super::shaken::Shaken;
+use crate::figure::data::{Figure, Made, Note, Options, Series};
+use crate::plot::text::{Align, Style};
+use crate::plot::{Axis, Colour, Panel, Rect, Scene, Stroke};
+use crate::progress::Progress;
+use anyhow::{Result, ensure};
+use carom::world::Statistics;
+use carom_reference::ForceLaw;
+
+const BEADS: usize = 10;
+const SPEED: f64 = 0.2;
+const CONTACT_TIME: f64 = 0.7e-5;
+/// s_0 of Figs. 1(a)–(c), and (d)–(f).
+const GAPS: [f64; 3] = [0.0, 1e-6, 1e-5];
+const SAMPLES: usize = 60;
+
+/// The times shown: two and a half times as long as the impact lasts.
+fn times(gap: f64) -> Vec<f64> {
+    let end = 2.5 * BEADS as f64 * (CONTACT_TIME + gap / SPEED);
+    (0..=SAMPLES).map(|k| end * k as f64 / SAMPLES as f64).collect()
+}
+
+/// Heights of all beads at all times, in the paper's reduced form (Eq. 9, with i for N).
+fn reduced(method: &str, gap: f64) -> Result<Vec<Vec<f64>>> {
+    let law = ForceLaw::spring_of(1.0, CONTACT_TIME, 0.9)?;
+    let column = Column::new(BEADS, SPEED, gap);
+    let mut heights = match method {
+        "ED" => hard::heights(&column, &law, Way::Instant, &times(gap))?,
+        "eMD*" => hard::heights(&column, &law, Way::Lasting, &times(gap))?,
+        _ => column.heights_at(law, &times(gap))?,
+    };
+    for row in &mut heights {
+        for (k, z) in row.iter_mut().enumerate() {
+            *z -= (k as f64 + 0.5) * column.diameter;
+        }
+    }
+    Ok(heights)
+}
+
+/// Makes the figure.
+///
+/// # Errors
+/// What a method says.
+pub fn at_a_wall(_: &Options) -> Result<Made> {
+    let mut figure = Figure::new("l94-1", ["t (s)", "z_i = h_i - (i - 1) d - d/2 (m)"]);
+    let (mut diagrams, mut notes) = (Vec::new(), Vec::new());
+    for method in METHODS {
+        for gap in GAPS {
+            let (times, heights) = (times(gap), reduced(method, gap)?);
+            let mut curves = Vec::new();
+            for bead in 0..BEADS {
+                let mut series = Series::new(format!("{method}, s0 = {gap:e}, bead {}", bead + 1))
+                    .param("method", method)
+                    .param("s0", gap)
+                    .param("bead", bead as f64 + 1.0);
+                times.iter().zip(&heights).for_each(|(t, row)| series.push(*t, row[bead]));
+                curves.push(in_micro(&series));
+                figure = figure.with(series);
+            }
+            notes.push(note_wall(method, gap, &times, &heights));
+            let title = format!("{}, *s*_{{0}} = {} μm", method.replace('*', "∗"), gap * 1e6);
+            let x = [0.0, 1e6 * times[SAMPLES]];
+            diagrams.push(Diagram { title, curves, x, y: None });
+        }
+    }
+    let title = "Ten beads at a wall, ε = 0.9, *t*_{c} = 7 μs, *v*_{0} = 0.2 m/s (L94 Fig. 1)";
+    let picture = draw_panels(title, &diagrams, GAPS.len(), ["*t* [μs]", "*z*_{i} [μm]"]);
+    Ok(Made { figure, picture, notes })
+}
+
+fn in_micro(series: &Series) -> Vec<[f64; 2]> {
+    series.x.iter().zip(&series.y).map(|(t, z)| [1e6 * t, 1e6 * z]).collect()
+}
+
+/// The velocity of the centre of mass and the spread at the end.
+fn note_wall(method: &str, gap: f64, times: &[f64], heights: &[Vec<f64>]) -> Note {
+    let centre = |k: usize| heights[k].iter().sum::<f64>() / BEADS as f64;
+    let last = times.len() - 1;
+    let speed = (centre(last) - centre(last - 4)) / (times[last] - times[last - 4]) / SPEED;
+    let said = match (method, gap > 5e-6) {
+        ("eMD*", _) => "not given",
+        ("MD", false) => "larger than in ED",
+        ("MD", true) => "similar to ED",
+        _ => "the same for all s0",
+    };
+    let what = format!("{method}, s0 = {gap:e}: final v_cm/v0");
+    Note::new(what, said, format!("{speed:.3}"))
+}
+
+const SHAKEN_BEADS: usize = 10;
+const DIAMETER: f64 = 1e-3;
+const FREQUENCY: f64 = 20.0;
+/// t_c of Figs. 5(a) and 5(b).
+const CONTACT_TIMES: [f64; 2] = [0.7e-3, 0.7e-5];
+const SAMPLES_PER_PERIOD: usize = 24;
+
+fn column(contact_time: f64) -> Shaken {
+    Shaken {
+        beads: SHAKEN_BEADS,
+        diameter: DIAMETER,
+        restitution: 0.6,
+        contact_time,
+        amplitude: 1.24 * DIAMETER,
+        frequency: FREQUENCY,
+        gap: 1e-3 * DIAMETER,
+    }
+}
+
+/// Makes the figure.
+///
+/// # Errors
+/// What a method says.
+pub fn on_a_plate(options: &Options) -> Result<Made> {
+    let periods = if options.full { 40 } else { 10 };
+    let sample = 1.0 / (FREQUENCY * SAMPLES_PER_PERIOD as f64);
+    let times: Vec<f64> = (0..=periods * SAMPLES_PER_PERIOD).map(|k| sample * k as f64).collect();
+    let progress = Progress::new("l94-5", 6);
+    let mut figure = Figure::new("l94-5", ["t (s)", "z_i = h_i - (i - 1) d - d/2 (m)"]);
+    let (mut diagrams, mut notes) = (Vec::new(), Vec::new());
+    for method in ["MD", "ED", "eMD*"] {
+        for contact_time in CONTACT_TIMES {
+            let (heights, events) = match method {
+                "ED" => column(contact_time).by_ed(&times)?,
+                "eMD*" => column(contact_time).by_star(&times)?,
+                _ => (column(contact_time).by_md(&times, 50.0)?, Statistics::default()),
+            };
+            ensure!(!heights.is_empty(), "{method}: too many events before the first sample");
+            notes.push(note_plate(method, contact_time, &heights));
+            if method != "MD" {
+                notes.push(told(method, contact_time, &events, times[heights.len() - 1]));
+            }
+            let mut curves = Vec::new();
+            for bead in 0..BEADS {
+                let series = series(method, contact_time, bead, &times, &heights);
+                curves.push(series.x.iter().zip(&series.y).map(|(t, z)| [*t, 1e3 * z]).collect());
+                figure = figure.with(series);
+            }
+            let title =
+                format!("{}, *t*_{{c}} = {} ms", method.replace('*', "∗"), 1e3 * contact_time);
+            let x = [0.0, times[times.len() - 1]];
+            diagrams.push(Diagram { title, curves, x, y: None });
+            progress.add(1);
+        }
+    }
+    let title =
+        "Ten beads, ε = 0.6, on a plate: *A*_{0} = 1.24 *d*, *f* = 20 Hz, α = 2 (L94 Fig. 5)";
+    let picture = draw_panels(title, &diagrams, CONTACT_TIMES.len(), ["*t* [s]", "*z*_{i} [mm]"]);
+    Ok(Made { figure, picture, notes })
+}
+
+fn series(method: &str, t_c: f64, bead: usize, times: &[f64], heights: &[Vec<f64>]) -> Series {
+    let mut series = Series::new(format!("{method}, t_c = {t_c:e}, bead {}", bead + 1))
+        .param("method", method)
+        .param("t_c", t_c)
+        .param("bead", bead as f64 + 1.0);
+    for (t, row) in times.iter().zip(heights) {
+        series.push(*t, row[bead] - (bead as f64 + 0.5) * DIAMETER);
+    }
+    series
+}
+
+/// What the engine counted until it ended.
+fn told(method: &str, contact_time: f64, statistics: &Statistics, end: f64) -> Note {
+    let Statistics { collisions, plane_collisions, rests, collapses, interrupted, .. } = statistics;
+    let ours = format!(
+        "{collisions} collisions, {plane_collisions} with the plate, {interrupted} interrupted, \
+         {rests} rests, {collapses} ends of a collapse, until {end:.3} s"
+    );
+    Note::new(format!("{method}, t_c = {contact_time:e} s: events"), "not given", ours)
+}
+
+/// How far the column is stretched: the gaps' sum, in diameters, on average and at most.
+fn note_plate(method: &str, contact_time: f64, heights: &[Vec<f64>]) -> Note {
+    let stretch =
+        |row: &Vec<f64>| (row[SHAKEN_BEADS - 1] - row[0]) / DIAMETER - (SHAKEN_BEADS - 1) as f64;
+    let later = &heights[heights.len() / 5..];
+    let mean = later.iter().map(stretch).sum::<f64>() / later.len() as f64;
+    let most = later.iter().map(stretch).fold(0.0, f64::max);
+    let said = match (method, contact_time > 1e-4) {
+        ("MD", true) => "large separations all the time",
+        ("MD", false) => "clustered and separated in turn",
+        ("ED", _) => "always clustered",
+        _ => "not given",
+    };
+    let what = format!("{method}, t_c = {contact_time:e} s: sum of gaps / d");
+    Note::new(what, said, format!("{mean:.4} on average, {most:.3} at most"))
+}
+
+/// One diagram: lines in colours from dark to light, in the order given.
+#[derive(Clone, Debug)]
+struct Diagram {
+    /// Over it.
+    pub title: String,
+    /// Its lines.
+    pub curves: Vec<Vec<[f64; 2]>>,
+    /// From left to right.
+    pub x: [f64; 2],
+    /// From bottom to top; none to fit the curves.
+    pub y: Option<[f64; 2]>,
+}
+
+const WIDTH: f64 = 190.0;
+const HEIGHT: f64 = 130.0;
+const LEFT: f64 = 54.0;
+const TOP: f64 = 44.0;
+const ACROSS: f64 = 52.0;
+const DOWN: f64 = 58.0;
+
+/// Draws diagrams in rows of so many.
+fn draw_panels(title: &str, diagrams: &[Diagram], columns: usize, [x, y]: [&str; 2]) -> Scene {
+    let rows = diagrams.len().div_ceil(columns);
+    let size = |n: usize, each: f64, between: f64| n as f64 * (each + between);
+    let width = LEFT + size(columns, WIDTH, ACROSS) - ACROSS + 14.0;
+    let mut scene = Scene::new(width, TOP + size(rows, HEIGHT, DOWN) - 12.0);
+    scene.text([LEFT, 18.0], title, Style::new(11.0, Colour::INK, Align::Left));
+    for (k, diagram) in diagrams.iter().enumerate() {
+        let left = LEFT + size(k % columns, WIDTH, ACROSS);
+        let top = TOP + size(k / columns, HEIGHT, DOWN);
+        let panel = Panel {
+            place: Rect { x: left, y: top, width: WIDTH, height: HEIGHT },
+            x: Axis::linear(diagram.x[0], diagram.x[1], 5),
+            y: vertical(diagram),
+        };
+        for (i, curve) in diagram.curves.iter().enumerate() {
+            let tone = Colour::scale(0.9 * i as f64 / diagram.curves.len().max(2) as f64);
+            panel.line(&mut scene, curve, Stroke::solid(tone, 1.1));
+        }
+        panel.frame(&mut scene);
+        panel.labels(&mut scene, x, y, 36.0);
+        panel.title(&mut scene, &diagram.title);
+    }
+    scene
+}
+
+fn vertical(diagram: &Diagram) -> Axis {
+    let [low, high] = diagram.y.unwrap_or_else(|| {
+        let all = diagram.curves.iter().flatten().map(|point| point[1]);
+        let (low, high) =
+            all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), y| (a.min(y), b.max(y)));
+        let margin = 0.05 * (high - low).max(1e-12);
+        [low - margin, high + margin]
+    });
+    Axis::linear(low, high, 5)
+}

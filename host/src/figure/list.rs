@@ -1,0 +1,150 @@
+//! Which figures of the papers can be made, and how do they read as text? Reads an id; returns the figure, writes its data as a table.
+
+use super::data::{Entry, Figure, Made, Note, Options, Series, Value};
+use super::{bsfp14, l94, mp13};
+use anyhow::{Result, bail};
+use std::io::Write;
+
+/// All figures, in the order in which they are listed.
+pub fn all() -> impl Iterator<Item = &'static Entry> {
+    BSFP14.iter().chain(L94).chain(MP13)
+}
+
+/// The figure with this id.
+///
+/// # Errors
+/// When there is none; the message lists those that there are.
+///
+/// ```
+/// use carom_host::figure;
+/// assert!(figure::find("bsfp14-7").is_ok());
+/// assert!(figure::find("fig7").unwrap_err().to_string().contains("bsfp14-7"));
+/// ```
+pub fn find(id: &str) -> Result<&'static Entry> {
+    if let Some(entry) = all().find(|entry| entry.id == id) {
+        return Ok(entry);
+    }
+    let ids: Vec<_> = all().map(|entry| entry.id).collect();
+    bail!("figure {id:?} is not known; there are {}", ids.join(", "))
+}
+
+/// The figures of BSFP14.
+const BSFP14: &[Entry] = &[
+    Entry {
+        id: "bsfp14-3",
+        what: "how far from contact spheres collide, in units of the last place",
+        make: bsfp14::gas::make_impacts,
+    },
+    Entry {
+        id: "bsfp14-5",
+        what: "how often a grain overlaps its partner and a third at a collision",
+        make: bsfp14::gas::make_overlaps,
+    },
+    Entry {
+        id: "bsfp14-7",
+        what: "a bouncing ball on plates at any height: naive detection halts, the stable one rests",
+        make: bsfp14::ball::make,
+    },
+];
+
+const fn entry(id: &'static str, what: &'static str, make: fn(&Options) -> Result<Made>) -> Entry {
+    Entry { id, what, make }
+}
+
+/// The figures of L94.
+const L94: &[Entry] = &[
+    entry("l94-1", "trajectories of ten beads at a wall, for three gaps", l94::paths::at_a_wall),
+    entry("l94-2a", "ε_eff of a column at a wall, against the gaps", l94::loss::make_a),
+    entry("l94-2b", "loss of beads in contact, against N and ε", l94::loss::make_b),
+    entry("l94-2c", "relative energy left by the impact of beads in contact", l94::loss::make_c),
+    entry("l94-3", "ε_eff of beads in contact, for three force laws", l94::loss::make_laws),
+    entry("l94-4a", "ε_eff of a layer in two dimensions, against the gaps", l94::layer::make_a),
+    entry("l94-4b", "loss of layers in contact, against their height", l94::layer::make_b),
+    entry("l94-5", "a column on a vibrating plate, for two contact times", l94::paths::on_a_plate),
+    entry("l94-7", "height of a strongly shaken column, against α", l94::shaken::make),
+    entry("l94-table1", "exponents of depth, duration and loss of a contact", l94::table1::make),
+];
+
+/// The figures of MP13, and what the paper leaves open.
+const MP13: &[Entry] = &[
+    Entry {
+        id: "mp13-7",
+        what: "how often eMD* cannot treat a contact as one of two grains alone",
+        make: mp13::gas::make,
+    },
+    Entry {
+        id: "mp13-7-transport",
+        what: "self-diffusion and pressure by eMD and eMD*, against MD",
+        make: mp13::transport::make,
+    },
+];
+
+/// Points of a curve that are printed.
+const MOST: usize = 40;
+
+/// Prints the data, then the comparison with the paper.
+///
+/// # Errors
+/// What the sink says.
+pub fn print(out: &mut impl Write, what: &str, made: &Made) -> Result<()> {
+    let Figure { id, axes, series } = &made.figure;
+    writeln!(out, "{id}: {what}")?;
+    writeln!(out, "  x: {}\n  y: {}", axes.x, axes.y)?;
+    for series in series {
+        curve(out, series)?;
+    }
+    if !made.notes.is_empty() {
+        comparison(out, &made.notes)?;
+    }
+    Ok(())
+}
+
+fn curve(out: &mut impl Write, series: &Series) -> Result<()> {
+    let params: Vec<_> = series.params.iter().map(|(k, v)| format!("{k} = {}", shown(v))).collect();
+    writeln!(out, "\n  {} ({})", series.name, params.join(", "))?;
+    let count = series.x.len();
+    let every = count.div_ceil(MOST).max(1);
+    if every > 1 {
+        writeln!(out, "    (one of {every} of {count} points; --json prints all)")?;
+    }
+    for (i, (x, y)) in series.x.iter().zip(&series.y).enumerate().step_by(every) {
+        let error = series.yerr.get(i).map_or_else(String::new, |e| format!("  ± {}", number(*e)));
+        writeln!(out, "    {:>14}  {:>14}{error}", number(*x), number(*y))?;
+    }
+    Ok(())
+}
+
+fn comparison(out: &mut impl Write, notes: &[Note]) -> Result<()> {
+    let width = |of: fn(&Note) -> &String| {
+        notes.iter().map(|note| of(note).chars().count()).max().unwrap_or(0)
+    };
+    let (what, paper) = (width(|note| &note.what), width(|note| &note.paper).max(10));
+    writeln!(out, "\n  {:what$}  {:paper$}  we get", "", "paper says")?;
+    for note in notes {
+        writeln!(out, "  {:what$}  {:paper$}  {}", note.what, note.paper, note.ours)?;
+    }
+    Ok(())
+}
+
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Number(x) => number(*x),
+        Value::Text(text) => text.clone(),
+    }
+}
+
+/// Six digits, as short as they can be.
+fn number(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if (1e-3..1e7).contains(&x.abs()) {
+        let digits = (5 - x.abs().log10().floor() as i32).clamp(0, 8) as usize;
+        let text = format!("{x:.digits$}");
+        if !text.contains('.') {
+            return text;
+        }
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    format!("{x:.5e}")
+}

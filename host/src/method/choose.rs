@@ -1,0 +1,235 @@
+//! By which method and rule does a scenario run? Reads a scenario; writes nothing, lends one running method.
+
+use super::ask::{EventDriven, ForceBased, Method};
+use crate::integrated::Integrated;
+use crate::scenario::{
+    LawSpec, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side, Start,
+};
+use crate::storage::HeapMemory;
+use crate::tables::embedded;
+use anyhow::{Context, Result, bail};
+use carom::law::{Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
+use carom::space::{Plane, Surface, Vibration};
+use carom::world::WorldBuilder;
+use carom::{Grain, Release, World};
+use carom_reference::{Exact, Plate, Verlet, VerletOptions};
+use carom_tables::read::Law;
+
+/// Sets a method up and lends it to `work`.
+///
+/// # Errors
+/// What the set-up says, or `work`.
+///
+/// ```
+/// use carom_host::{method, scenario::{MethodName, Scenario, Start}};
+/// let scenario = Scenario::parse("dimension = 1\nduration = 1.0\nsample = 1.0\n\
+///     [law]\nkind = \"lsd\"\nstiffness = 1e6\ndamping = 0.0\n\
+///     [[grain]]\nradius = 0.1\nmass = 1.0\nat = [0.0]\nmoving = [1.0]\n\
+///     [[grain]]\nradius = 0.1\nmass = 1.0\nat = [0.5]").unwrap();
+/// let start = Start::new(&scenario).unwrap();
+/// let speed = method::with(MethodName::Emd, &scenario, &start, |method| {
+///     method.advance_to(1.0)?;
+///     Ok(method.grains()[1].velocity[0])
+/// }).unwrap();
+/// assert!((speed - 1.0).abs() < 1e-6);
+/// ```
+pub fn with<T>(
+    name: MethodName,
+    scenario: &Scenario,
+    start: &Start,
+    work: impl FnOnce(&mut dyn Method) -> Result<T>,
+) -> Result<T> {
+    match start.dimension {
+        1 => with_dimension::<1, T>(name, scenario, start, work),
+        2 => with_dimension::<2, T>(name, scenario, start, work),
+        _ => with_dimension::<3, T>(name, scenario, start, work),
+    }
+}
+
+fn with_dimension<const D: usize, T>(
+    name: MethodName,
+    scenario: &Scenario,
+    start: &Start,
+    work: impl FnOnce(&mut dyn Method) -> Result<T>,
+) -> Result<T> {
+    let context = || name.label();
+    match name {
+        MethodName::Md => {
+            let (system, law) = system::<D>(scenario, start)?;
+            let (end, options) = (carom_reference::End::Force, VerletOptions::default());
+            let run = Verlet::new(&system, law, end, options).with_context(context)?;
+            work(&mut ForceBased::new(run, start)).with_context(context)
+        }
+        MethodName::Exact => {
+            let (system, law) = system::<D>(scenario, start)?;
+            let run = Exact::new(system, law, carom_reference::End::Force).with_context(context)?;
+            work(&mut ForceBased::new(run, start)).with_context(context)
+        }
+        MethodName::Emd | MethodName::EmdStar => {
+            with_world::<D, T>(name, scenario, start, work).with_context(context)
+        }
+    }
+}
+
+fn with_world<const D: usize, T>(
+    name: MethodName,
+    scenario: &Scenario,
+    start: &Start,
+    work: impl FnOnce(&mut dyn Method) -> Result<T>,
+) -> Result<T> {
+    let rule = rule(name, scenario)?;
+    let mut storage = HeapMemory::<f64, D>::new(start.grains.len());
+    let setup = World::builder(&mut storage).gravity(first(&start.gravity));
+    let setup =
+        enclose(setup.release(release(scenario)).tc(scenario.options.tc), start).rule(&*rule);
+    let grains = start.grains.iter().map(|grain| {
+        Grain::with_mass(grain.radius, grain.mass)
+            .at(first(&grain.position))
+            .moving(first(&grain.velocity))
+    });
+    let world = setup.grains(grains).and_then(WorldBuilder::start)?;
+    work(&mut EventDriven::new(world, name, scenario.options.events))
+}
+
+fn release(scenario: &Scenario) -> Release {
+    match scenario.options.release {
+        ReleaseSpec::Paired => Release::Paired,
+        ReleaseSpec::Independent => Release::Independent,
+    }
+}
+
+fn enclose<'m, const D: usize, R>(
+    mut setup: WorldBuilder<'m, f64, D, R>,
+    start: &Start,
+) -> WorldBuilder<'m, f64, D, R> {
+    for (axis, side) in start.sides.iter().enumerate().take(D) {
+        let (surface, [from, to]) = match *side {
+            Side::Open => continue,
+            Side::Plate(plate, restitution) => {
+                setup = setup.plane(plate_below(axis, &plate, restitution));
+                continue;
+            }
+            Side::PeriodicAxis(range) => {
+                setup = setup.periodic_axis(axis, range);
+                continue;
+            }
+            Side::Soft(range) => (Surface::Rule, range),
+            Side::Hard(range, restitution) => (Surface::Hard(restitution), range),
+        };
+        for (at, facing) in [(from, 1.0), (to, -1.0)] {
+            let mut normal = [0.0; D];
+            normal[axis] = facing;
+            setup = setup.plane(Plane::new(normal, facing * at, surface));
+        }
+    }
+    setup
+}
+
+fn plate_below<const D: usize>(
+    axis: usize,
+    plate: &Plate,
+    restitution: Option<f64>,
+) -> Plane<f64, D> {
+    let mut normal = [0.0; D];
+    normal[axis] = 1.0;
+    let surface = restitution.map_or(Surface::Rule, Surface::Hard);
+    let plane = Plane::new(normal, plate.at, surface);
+    if plate.amplitude == 0.0 {
+        return plane;
+    }
+    plane.vibrating(Vibration::new(plate.amplitude, plate.frequency).starting_at(plate.phase))
+}
+
+fn system<const D: usize>(
+    scenario: &Scenario,
+    start: &Start,
+) -> Result<(carom_reference::System<D>, carom_reference::ForceLaw)> {
+    let boundary = std::array::from_fn(|axis| match start.sides[axis] {
+        Side::PeriodicAxis([lo, hi]) => carom_reference::Boundary::PeriodicAxis { lo, hi },
+        Side::Soft([lo, hi]) | Side::Hard([lo, hi], _) => {
+            carom_reference::Boundary::Walls { lo, hi }
+        }
+        Side::Plate(plate, _) => carom_reference::Boundary::Plate(plate),
+        Side::Open => carom_reference::Boundary::Open,
+    });
+    let grains = start.grains.iter().map(|grain| carom_reference::Grain {
+        radius: grain.radius,
+        mass: grain.mass,
+        position: first(&grain.position),
+        velocity: first(&grain.velocity),
+    });
+    let system = carom_reference::System::new(grains.collect(), boundary, first(&start.gravity))?;
+    Ok((system, force_law(scenario)?))
+}
+
+/// The first `D` of three numbers.
+fn first<const D: usize>(numbers: &[f64; 3]) -> [f64; D] {
+    std::array::from_fn(|k| numbers[k])
+}
+
+/// The collision rule of an event-driven method.
+///
+/// # Errors
+/// When the law has no such rule, or there is no such table.
+pub fn rule(name: MethodName, scenario: &Scenario) -> Result<Box<dyn Rule<f64>>> {
+    match scenario.law {
+        LawSpec::Constant { restitution } if name == MethodName::Emd => {
+            Ok(Box::new(HardSphere { restitution }))
+        }
+        LawSpec::Constant { .. } => {
+            bail!("{} needs a force law, but law.kind is constant", name.label())
+        }
+        LawSpec::Lsd { stiffness, damping } => {
+            let law = LinearDashpot { stiffness, damping };
+            Ok(match scenario.options.matrix {
+                MatrixSpec::Integrate => chosen(name, Integrated::new(law)),
+                MatrixSpec::Table => {
+                    let table = embedded(scenario.options.table, Law::LinearDashpot);
+                    chosen(name, Soft::with_table(law, table, outside(scenario)))
+                }
+            })
+        }
+        LawSpec::Viscoelastic { young, poisson, dissipation } => {
+            let law = Viscoelastic { young, poisson, dissipation };
+            Ok(match scenario.options.matrix {
+                MatrixSpec::Integrate => chosen(name, Integrated::new(law)),
+                MatrixSpec::Table => {
+                    let table = embedded(scenario.options.table, Law::Viscoelastic);
+                    chosen(name, Soft::with_table(law, table, outside(scenario)))
+                }
+            })
+        }
+    }
+}
+
+/// eMD takes only the central restitution of the rule, eMD* all of it.
+fn chosen(name: MethodName, rule: impl Rule<f64> + 'static) -> Box<dyn Rule<f64>> {
+    match name {
+        MethodName::Emd => Box::new(Central(rule)),
+        _ => Box::new(rule),
+    }
+}
+
+fn outside(scenario: &Scenario) -> Outside {
+    match scenario.options.outside {
+        OutsideSpec::Reject => Outside::Reject,
+        OutsideSpec::Clamp => Outside::Clamp,
+        OutsideSpec::HardSphere => Outside::HardSphere,
+    }
+}
+
+/// The force law of the reference.
+///
+/// # Errors
+/// When the law has no force.
+pub fn force_law(scenario: &Scenario) -> Result<carom_reference::ForceLaw> {
+    match scenario.law {
+        LawSpec::Lsd { stiffness, damping } => {
+            Ok(carom_reference::ForceLaw::LinearDashpot { stiffness, damping })
+        }
+        LawSpec::Viscoelastic { young, poisson, dissipation } => {
+            Ok(carom_reference::ForceLaw::Viscoelastic { young, poisson, dissipation })
+        }
+        LawSpec::Constant { .. } => bail!("MD needs a force law, but law.kind is constant"),
+    }
+}

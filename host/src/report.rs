@@ -1,0 +1,209 @@
+//! In which files does a run end up? Reads samples; writes CSV, extended XYZ and aligned text.
+
+use crate::method::Logged;
+use crate::output::Draft;
+use crate::run::Sample;
+use crate::scenario::{MethodName, Scenario, Side, Start};
+use anyhow::Result;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// The files of one run, under temporary names until it is over.
+#[derive(Debug)]
+pub struct Files {
+    names: Vec<PathBuf>,
+    series: Series,
+    frames: Draft,
+    events: Option<csv::Writer<Draft>>,
+}
+
+impl Files {
+    /// Opens NAME.csv and NAME.xyz, and NAME-events.csv if the scenario asks for it.
+    ///
+    /// # Errors
+    /// When one cannot be made.
+    pub fn new(folder: &Path, name: MethodName, scenario: &Scenario) -> Result<Self> {
+        let stem = name.file_stem();
+        let mut names =
+            vec![folder.join(format!("{stem}.csv")), folder.join(format!("{stem}.xyz"))];
+        let (series, frames) = (Series::new(&names[0])?, Draft::new(&names[1])?);
+        let mut events = None;
+        if scenario.options.events && matches!(name, MethodName::Emd | MethodName::EmdStar) {
+            names.push(folder.join(format!("{stem}-events.csv")));
+            let mut rows = csv::Writer::from_writer(Draft::new(&names[2])?);
+            events_head(&mut rows)?;
+            events = Some(rows);
+        }
+        Ok(Self { names, series, frames, events })
+    }
+
+    /// One more sample.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn add(&mut self, start: &Start, sample: &Sample) -> Result<()> {
+        self.series.add(sample)?;
+        write_frame(&mut self.frames, start, sample)?;
+        match &mut self.events {
+            Some(rows) => write_events(rows, &sample.events),
+            None => Ok(()),
+        }
+    }
+
+    /// The files appear; returns their names.
+    ///
+    /// # Errors
+    /// When the last bytes cannot be written.
+    pub fn finish(self) -> Result<Vec<PathBuf>> {
+        self.series.finish()?;
+        self.frames.finish()?;
+        if let Some(rows) = self.events {
+            rows.into_inner().map_err(|error| error.into_error())?.finish()?;
+        }
+        Ok(self.names)
+    }
+}
+
+/// A time series as CSV: time, kinetic energy, collisions and the method's statistics.
+#[derive(Debug)]
+pub struct Series {
+    rows: csv::Writer<Draft>,
+    begun: bool,
+}
+
+impl Series {
+    /// Opens the file.
+    ///
+    /// # Errors
+    /// When it cannot be made.
+    pub fn new(file: &Path) -> Result<Self> {
+        Ok(Self { rows: csv::Writer::from_writer(Draft::new(file)?), begun: false })
+    }
+
+    /// One row.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn add(&mut self, sample: &Sample) -> Result<()> {
+        if !self.begun {
+            let names = sample.statistics.iter().map(|(name, _)| *name);
+            self.rows.write_record(
+                ["time", "kinetic_energy", "contacts_begun"].into_iter().chain(names),
+            )?;
+            self.begun = true;
+        }
+        let mut row = vec![
+            format!("{:?}", sample.time),
+            format!("{:?}", sample.kinetic_energy),
+            sample.collisions.to_string(),
+        ];
+        row.extend(sample.statistics.iter().map(|(_, count)| count.to_string()));
+        Ok(self.rows.write_record(row)?)
+    }
+
+    /// The file appears.
+    ///
+    /// # Errors
+    /// When the last rows cannot be written.
+    pub fn finish(self) -> Result<()> {
+        let draft = self.rows.into_inner().map_err(|error| error.into_error())?;
+        draft.finish()
+    }
+}
+
+/// The header of an event log.
+///
+/// # Errors
+/// When it cannot be written.
+pub fn events_head(rows: &mut csv::Writer<Draft>) -> Result<()> {
+    Ok(rows.write_record(["time", "what", "grain", "partner", "plane"])?)
+}
+
+/// The rows of an event log.
+///
+/// # Errors
+/// When they cannot be written.
+pub fn write_events(rows: &mut csv::Writer<Draft>, events: &[Logged]) -> Result<()> {
+    let number = |number: Option<usize>| number.map_or_else(String::new, |n| n.to_string());
+    for event in events {
+        rows.write_record([
+            format!("{:?}", event.time),
+            event.what.to_owned(),
+            event.grain.to_string(),
+            number(event.partner),
+            number(event.plane),
+        ])?;
+    }
+    Ok(())
+}
+
+/// One frame of an extended XYZ trajectory (as read by OVITO and ASE): grains with position,
+/// velocity, radius and mass, the box as `Lattice`, the instant as `Time`.
+///
+/// An open axis is given the extent of the grains of this frame and is marked not periodic.
+///
+/// # Errors
+/// When it cannot be written.
+pub fn write_frame(sink: &mut dyn Write, start: &Start, sample: &Sample) -> Result<()> {
+    let mut origin = [0.0; 3];
+    let mut size = [0.0; 3];
+    for axis in 0..3 {
+        let [from, to] = start.sides[axis].range().unwrap_or_else(|| extent(sample, axis));
+        (origin[axis], size[axis]) = (from, to - from);
+    }
+    let periodic =
+        start.sides.map(|side| if matches!(side, Side::PeriodicAxis(_)) { "T" } else { "F" });
+    writeln!(sink, "{}", sample.grains.len())?;
+    writeln!(
+        sink,
+        "Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{}\" \
+         Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1 Time={:?}",
+        size[0],
+        size[1],
+        size[2],
+        origin[0],
+        origin[1],
+        origin[2],
+        periodic.join(" "),
+        sample.time
+    )?;
+    for grain in &sample.grains {
+        let ([x, y, z], [u, v, w]) = (grain.position, grain.velocity);
+        writeln!(
+            sink,
+            "G {x:?} {y:?} {z:?} {u:?} {v:?} {w:?} {:?} {:?}",
+            grain.radius, grain.mass
+        )?;
+    }
+    Ok(())
+}
+
+fn extent(sample: &Sample, axis: usize) -> [f64; 2] {
+    let low = sample.grains.iter().map(|g| g.position[axis] - g.radius);
+    let high = sample.grains.iter().map(|g| g.position[axis] + g.radius);
+    [low.fold(f64::INFINITY, f64::min), high.fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// Writes rows as a table, the first one as its head: the first `left` columns flush left, the
+/// others flush right.
+///
+/// # Errors
+/// What `sink` says.
+pub fn write_aligned(sink: &mut dyn Write, rows: &[Vec<String>], left: usize) -> Result<()> {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let length = |row: &Vec<String>, k: usize| row.get(k).map_or(0, |cell| cell.chars().count());
+    let widths: Vec<usize> = (0..columns)
+        .map(|column| rows.iter().map(|row| length(row, column)).max().unwrap_or(0))
+        .collect();
+    for (number, row) in rows.iter().enumerate() {
+        let cells = row.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
+            if column < left { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+        });
+        writeln!(sink, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end())?;
+        if number == 0 {
+            let total = widths.iter().sum::<usize>() + 2 * columns.saturating_sub(1);
+            writeln!(sink, "  {}", "-".repeat(total))?;
+        }
+    }
+    Ok(())
+}
