@@ -9,9 +9,10 @@ import * as column from "./column.js";
 /** @type {Record<string, { start(): Promise<void>, frame(dt: number): void }>} */
 const rooms = { pair, tilt, column };
 const names = Object.keys(rooms);
-/** @type {Set<string>} */
-const started = new Set();
-let shown = "";
+/** Experiments that were opened once. @type {Map<string, Promise<void>>} */
+const started = new Map();
+/** Whose tab is open; and what is drawn: the same, as soon as it has started. */
+let chosen = "", shown = "";
 
 /** How long the last frames took to compute and draw, and how far apart they were, in milliseconds. */
 const frames = { work: /** @type {number[]} */ ([]), apart: /** @type {number[]} */ ([]) };
@@ -20,6 +21,7 @@ Object.assign(globalThis, { caromFrames: frames });
 /** @param {string} name @param {boolean} [focus] */
 async function open(name, focus = false) {
   if (!rooms[name]) name = names[0];
+  chosen = name;
   shown = "";
   for (const other of names) {
     const tab = find(`tab-${other}`);
@@ -31,10 +33,13 @@ async function open(name, focus = false) {
   history.replaceState(null, "", `#${name}`);
   frames.work.length = frames.apart.length = 0;
   try {
-    if (!started.has(name)) await rooms[name].start();
-    started.add(name);
-    shown = name;
+    const start = started.get(name) ?? rooms[name].start();
+    started.set(name, start);
+    await start;
+    // Another tab may have been opened meanwhile, and what is hidden has no size to be drawn in.
+    if (chosen === name) shown = name;
   } catch (error) {
+    started.delete(name);
     complain(error);
   }
 }
@@ -57,7 +62,7 @@ for (const [k, name] of names.entries()) {
     open(names[place % names.length], true);
   });
 }
-addEventListener("hashchange", () => location.hash.slice(1) !== shown && open(location.hash.slice(1)));
+addEventListener("hashchange", () => location.hash.slice(1) !== chosen && open(location.hash.slice(1)));
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const theme = find("theme");

@@ -28,7 +28,8 @@ async function visit(/** @type {string} */ room, /** @type {object} */ options, 
   await page.goto(`${server.url}#${room}`);
   await page.waitForFunction(() => /** @type {any} */ (globalThis).caromFrames?.work.length > 3);
   await act(page);
-  assert.equal(await page.locator("#trouble").isVisible(), false);
+  const trouble = page.locator("#trouble");
+  assert.equal((await trouble.isVisible()) ? await trouble.textContent() : "", "");
   assert.deepEqual(complaints, []);
   await page.close();
 }
@@ -92,6 +93,25 @@ test("tabs and theme: mouse, arrow keys, address", () =>
     const light = await paper();
     await page.click("#theme");
     assert.notEqual(await paper(), light);
+  }));
+
+test("an experiment that loads slowly is not drawn once another tab is open", () =>
+  visit("pair", {}, async (page) => {
+    let loaded = () => {};
+    const slow = new Promise((ready) => (loaded = () => ready(null)));
+    await page.route("**/carom-line.wasm", (route) => slow.then(() => route.continue()));
+    const asked = page.waitForRequest("**/carom-line.wasm");
+    const came = page.waitForResponse("**/carom-line.wasm");
+    await page.click("#tab-column");
+    await asked;
+    await page.click("#tab-pair");
+    loaded();
+    await (await came).finished();
+    await page.waitForTimeout(500);
+    const said = page.locator("output[for=pair-time]");
+    const old = await said.textContent();
+    await page.waitForTimeout(500);
+    assert.notEqual(await said.textContent(), old);
   }));
 
 test("everything has a name that can be read out, and all that can be used can be reached by key", () =>
