@@ -162,7 +162,7 @@ fn nearest(x: f64) -> f64 {
 /// The force-based run at tight tolerance: where the free grains are after each collision.
 fn judge(grains: &[Grain<f64, 3>], collisions: usize) -> Result<Vec<Sample>, ReferenceError> {
     let start = || -> Result<Exact<3>, ReferenceError> {
-        let periodic = Boundary::PeriodicAxis { lo: 0.0, hi: edge() };
+        let periodic = Boundary::Periodic { lo: 0.0, hi: edge() };
         let grains = grains.iter().map(for_reference).collect();
         let Viscoelastic { young, poisson, dissipation } = LAW;
         let law = ForceLaw::Viscoelastic { young, poisson, dissipation };

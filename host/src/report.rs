@@ -152,7 +152,7 @@ pub fn write_frame(sink: &mut dyn Write, start: &Start, sample: &Sample) -> Resu
         (origin[axis], size[axis]) = (from, to - from);
     }
     let periodic =
-        start.sides.map(|side| if matches!(side, Side::PeriodicAxis(_)) { "T" } else { "F" });
+        start.sides.map(|side| if matches!(side, Side::Periodic(_)) { "T" } else { "F" });
     writeln!(sink, "{}", sample.grains.len())?;
     writeln!(
         sink,

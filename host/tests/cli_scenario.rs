@@ -41,7 +41,7 @@ fn shipped_scenarios_start_without_overlap() {
 #[test]
 fn the_gas_has_the_packing_fraction_and_temperature_it_says() {
     let start = started(GAS);
-    let Side::PeriodicAxis([from, to]) = start.sides[0] else { panic!("not periodic") };
+    let Side::Periodic([from, to]) = start.sides[0] else { panic!("not periodic") };
     let filled: f64 = start.grains.iter().map(|g| 4.0 / 3.0 * PI * g.radius.powi(3)).sum();
     assert!((filled / (to - from).powi(3) - 0.01).abs() < 1e-12);
     for axis in 0..3 {
@@ -125,7 +125,7 @@ proptest! {
                 radius, mass: 1.0, position: [x, y, z], velocity: [0.0; 3],
             })
             .collect();
-        let sides = [Side::PeriodicAxis([0.0, 1.0]), Side::Open, Side::PeriodicAxis([0.0, 1.0])];
+        let sides = [Side::Periodic([0.0, 1.0]), Side::Open, Side::Periodic([0.0, 1.0])];
         let start = Start { dimension: 3, grains, sides, gravity: [0.0; 3] };
         prop_assert_eq!(
             touching(&start, &start.grains),

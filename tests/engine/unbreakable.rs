@@ -205,12 +205,12 @@ fn hostile_snapshots_are_refused() {
         ("\"Hard\":0.9", "\"Hard\":-7.0"),
         ("\"normal\":[1.0,0.0]", "\"normal\":[7.0,0.0]"),
         ("\"collisions\":1", "\"collisions\":18446744073709551615"),
-        ("\"kind\":\"Release\"", "\"kind\":\"Nothing\""),
+        ("\"kind\":\"ContactEnd\"", "\"kind\":\"Nothing\""),
         (
-            "\"partner\":4294967295,\"event_count\":0,\"kind\"",
-            "\"partner\":0,\"event_count\":0,\"kind\"",
+            "\"partner\":4294967295,\"partner_event_count\":0,\"kind\"",
+            "\"partner\":0,\"partner_event_count\":0,\"kind\"",
         ),
-        ("\"meeting\":1.7976931348623157e+308", "\"meeting\":1.0"),
+        ("\"collision_time\":1.7976931348623157e+308", "\"collision_time\":1.0"),
         ("\"cell\":0", "\"cell\":77"),
     ];
     for (old, new) in refused {

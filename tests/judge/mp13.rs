@@ -53,7 +53,7 @@ fn by_force(law: Viscoelastic<f64>) -> f64 {
         position,
         velocity,
     };
-    let sides = [Boundary::PeriodicAxis { lo: -0.5 * SIDE, hi: 0.5 * SIDE }; 3];
+    let sides = [Boundary::Periodic { lo: -0.5 * SIDE, hi: 0.5 * SIDE }; 3];
     let system = System::new(STARTS.map(grain).to_vec(), sides, [0.0; 3]).unwrap();
     let law = ForceLaw::Viscoelastic { young: law.young, poisson: POISSON, dissipation: 0.0 };
     let options = VerletOptions { steps_per_contact: 500.0, ..VerletOptions::default() };

@@ -43,7 +43,7 @@ pub(crate) fn all_apart<const D: usize>(
 fn clear<const D: usize>(grain: &Grain<D>, axis: usize, bound: &Boundary) -> bool {
     match *bound {
         Boundary::Open => true,
-        Boundary::PeriodicAxis { .. } => false,
+        Boundary::Periodic { .. } => false,
         Boundary::Walls { .. } => grain.velocity[axis] == 0.0,
         Boundary::Plate(plate) => {
             let gap = grain.position[axis] - grain.radius - plate.at;

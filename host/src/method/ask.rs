@@ -184,7 +184,7 @@ impl<R> ForceBased<R> {
     /// Grains with their positions inside the box.
     fn inside<const D: usize>(&self, grains: Vec<carom_reference::Grain<D>>) -> Vec<Placed> {
         let wrap = |axis: usize, x: f64| match self.sides[axis] {
-            Side::PeriodicAxis([from, to]) => from + (x - from).rem_euclid(to - from),
+            Side::Periodic([from, to]) => from + (x - from).rem_euclid(to - from),
             _ => x,
         };
         let placed = |grain: carom_reference::Grain<D>| Placed {

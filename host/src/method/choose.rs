@@ -109,7 +109,7 @@ fn enclose<'m, const D: usize, R>(
                 setup = setup.plane(plate_below(axis, &plate, restitution));
                 continue;
             }
-            Side::PeriodicAxis(range) => {
+            Side::Periodic(range) => {
                 setup = setup.periodic_axis(axis, range);
                 continue;
             }
@@ -145,7 +145,7 @@ fn system<const D: usize>(
     start: &Start,
 ) -> Result<(carom_reference::System<D>, carom_reference::ForceLaw)> {
     let boundary = std::array::from_fn(|axis| match start.sides[axis] {
-        Side::PeriodicAxis([lo, hi]) => carom_reference::Boundary::PeriodicAxis { lo, hi },
+        Side::Periodic([lo, hi]) => carom_reference::Boundary::Periodic { lo, hi },
         Side::Soft([lo, hi]) | Side::Hard([lo, hi], _) => {
             carom_reference::Boundary::Walls { lo, hi }
         }

@@ -31,7 +31,7 @@ pub enum Side {
     /// Nothing.
     Open,
     /// The box repeats from the first to the second number.
-    PeriodicAxis([f64; 2]),
+    Periodic([f64; 2]),
     /// Walls that follow the contact law.
     Soft([f64; 2]),
     /// Walls with this coefficient of restitution.
@@ -45,14 +45,14 @@ impl Side {
     pub const fn range(&self) -> Option<[f64; 2]> {
         match *self {
             Self::Open | Self::Plate(..) => None,
-            Self::PeriodicAxis(range) | Self::Soft(range) | Self::Hard(range, _) => Some(range),
+            Self::Periodic(range) | Self::Soft(range) | Self::Hard(range, _) => Some(range),
         }
     }
 
     /// The nearest image of a separation along this axis.
     pub fn nearest(&self, separation: f64) -> f64 {
         match *self {
-            Self::PeriodicAxis([from, to]) => {
+            Self::Periodic([from, to]) => {
                 separation - (to - from) * (separation / (to - from)).round()
             }
             _ => separation,
@@ -119,7 +119,7 @@ fn find_place(
     let mut room = [[0.0; 2]; 3];
     for (axis, room) in room.iter_mut().enumerate().take(dimension) {
         *room = match sides[axis] {
-            Side::PeriodicAxis(range) => range,
+            Side::Periodic(range) => range,
             Side::Soft([from, to]) | Side::Hard([from, to], _) => [from + radius, to - radius],
             Side::Open | Side::Plate(..) => {
                 bail!("box.{}: a gas needs every axis walled or periodic", ["x", "y", "z"][axis])
@@ -172,7 +172,7 @@ impl<'a> Cells<'a> {
     /// Cells along an axis; a periodic axis has a whole number, so the last one may be wider.
     fn cell(&self, axis: usize, at: f64) -> i64 {
         match self.sides[axis] {
-            Side::PeriodicAxis([from, to]) => {
+            Side::Periodic([from, to]) => {
                 let count = self.count(axis);
                 (((at - from) / (to - from)).rem_euclid(1.0) * count as f64) as i64 % count
             }
@@ -182,7 +182,7 @@ impl<'a> Cells<'a> {
 
     fn count(&self, axis: usize) -> i64 {
         match self.sides[axis] {
-            Side::PeriodicAxis([from, to]) => (((to - from) / self.width).floor() as i64).max(1),
+            Side::Periodic([from, to]) => (((to - from) / self.width).floor() as i64).max(1),
             _ => i64::MAX,
         }
     }
@@ -204,7 +204,7 @@ impl<'a> Cells<'a> {
         (0..27).all(|step| {
             let shift = [step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1];
             let key = std::array::from_fn(|axis| match self.sides[axis] {
-                Side::PeriodicAxis(_) => (home[axis] + shift[axis]).rem_euclid(self.count(axis)),
+                Side::Periodic(_) => (home[axis] + shift[axis]).rem_euclid(self.count(axis)),
                 _ => home[axis] + shift[axis],
             });
             self.members.get(&key).is_none_or(|members| members.iter().all(apart))

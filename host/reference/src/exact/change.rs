@@ -199,7 +199,7 @@ impl<const D: usize> Exact<D> {
     fn rest(&mut self, i: usize) {
         self.halt(i);
         for (p, bound) in self.grains[i].position.iter_mut().zip(&self.boundary) {
-            if let Boundary::PeriodicAxis { lo, hi } = *bound {
+            if let Boundary::Periodic { lo, hi } = *bound {
                 *p -= (hi - lo) * ((*p - lo) / (hi - lo)).floor();
             }
         }

@@ -14,7 +14,7 @@ impl<const D: usize> Verlet<D> {
     /// Wraps positions, makes a new list, and says whether the step became shorter.
     pub(super) fn prepare(&mut self) -> bool {
         for (axis, bound) in self.boundary.iter().enumerate() {
-            let Boundary::PeriodicAxis { lo, hi } = *bound else { continue };
+            let Boundary::Periodic { lo, hi } = *bound else { continue };
             for r in &mut self.positions {
                 if r[axis] < lo || r[axis] >= hi {
                     r[axis] -= (hi - lo) * ((r[axis] - lo) / (hi - lo)).floor();

@@ -127,10 +127,8 @@ impl Layer {
             position,
             velocity: [0.0, -self.speed],
         };
-        let boundary = [
-            Boundary::PeriodicAxis { lo: 0.0, hi: self.width() },
-            Boundary::Plate(Plate::fixed(0.0)),
-        ];
+        let boundary =
+            [Boundary::Periodic { lo: 0.0, hi: self.width() }, Boundary::Plate(Plate::fixed(0.0))];
         System::new(self.places().into_iter().map(grain).collect(), boundary, [0.0; 2])
     }
 

@@ -167,8 +167,7 @@ fn by_force(gas: &SoftGas, effort: Effort) -> Result<Measured> {
     };
     let grains: Vec<Grain<3>> = gas.start()?.iter().map(soft).collect();
     let energy = kinetic(grains.iter().map(|grain| grain.velocity));
-    let system =
-        System::new(grains, [Boundary::PeriodicAxis { lo: -half, hi: half }; 3], [0.0; 3])?;
+    let system = System::new(grains, [Boundary::Periodic { lo: -half, hi: half }; 3], [0.0; 3])?;
     let law = ForceLaw::Viscoelastic { young: gas.young, poisson: POISSON, dissipation: 0.0 };
     let options = VerletOptions { steps_per_contact: effort.steps, ..VerletOptions::default() };
     let mut run = Verlet::new(&system, law, End::Force, options)?;
