@@ -228,8 +228,13 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         Ok(World {
             particles: Particles::new(bodies, Cells::new(grid, heads, links)),
             domain: Domain::new(boundary, self.gravity),
-            clock: Clock { now: S::zero(), epoch: Instant::START },
-            parameters: Parameters { release: self.release, t_c: self.t_c, min_hop_time },
+            clock: Clock::start(),
+            parameters: Parameters {
+                t_c: self.t_c,
+                min_hop_time,
+                release: self.release,
+                lossy_hops: false,
+            },
             queue: EventQueue::new(events, tree),
             rule: self.rule,
             statistics: Statistics::default(),

@@ -46,7 +46,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             particles: &mut self.particles,
             domain: &self.domain,
             clock: &self.clock,
-            parameters: &self.parameters,
+            parameters: &mut self.parameters,
             effects: &mut effects,
         };
         for i in 0..context.particles.bodies.len() {

@@ -50,8 +50,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
                 body.reference_time = if time.is_finite() { time } else { -S::NEVER };
             }
         }
-        self.clock.now = now;
-        self.clock.epoch = self.clock.instant_of(back);
+        self.clock.set_back(back);
         self.domain.boundary.set_epoch(self.clock.epoch);
     }
 }

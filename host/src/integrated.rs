@@ -15,7 +15,7 @@ use carom_tables::read::End;
 /// use carom_host::integrated::Integrated;
 /// let rule = Integrated::new(LinearDashpot { stiffness: 2000.0, damping: 0.0 });
 /// let head_on = Impact {
-///     reach: 0.2, effective_radius: 0.05, reduced_mass: 2.0,
+///     contact_distance: 0.2, effective_radius: 0.05, reduced_mass: 2.0,
 ///     normal_speed: 1.0, tangential_speed: 0.0, materials: [0, 0],
 /// };
 /// let Response::Lasting(outcome) = rule.collide(&head_on).response else { unreachable!() };
