@@ -11,4 +11,4 @@ if ! command -v chromium >/dev/null; then
 fi
 npx tsc
 node --test --test-concurrency=1 test/*.test.js
-node test/shots.js
+node test/screenshots.js
