@@ -18,7 +18,9 @@ pub fn main() -> i32 {
     let Some((scene, scalar, selection)) = asked() else {
         let all = |scene| {
             let selection = Selection::every_thousandth(LAST);
-            one::<f32>(scene, selection) && one::<f64>(scene, selection) && one::<I32F32>(scene, selection)
+            one::<f32>(scene, selection)
+                && one::<f64>(scene, selection)
+                && one::<I32F32>(scene, selection)
         };
         return i32::from(!Scene::ALL.into_iter().all(all));
     };
@@ -38,8 +40,9 @@ enum Scalar {
 /// Replays one scene in one number type; whether it came to its end.
 fn one<S: Number>(scene: Scene, selection: Selection) -> bool {
     let (name, scalar) = (scene.name(), S::NAME);
-    let mut report =
-        |EventDigest { event, digest }: EventDigest| println!("{name} {scalar} {event} {digest:016x}");
+    let mut report = |EventDigest { event, digest }: EventDigest| {
+        println!("{name} {scalar} {event} {digest:016x}")
+    };
     let run = replay::<S>(scene)(selection, &mut report);
     if let Err(error) = run {
         println!("{name} {scalar} error: {error}");

@@ -1,21 +1,20 @@
 //! What does a contact do, without a table? Integrates the contact equation for each impact; writes its outcome.
 
 use carom::Error;
-use carom::law::ForceLaw;
-use carom::law::{Answer, Impact, Response, Rule};
+use carom::law::{Answer, ForceLaw, Impact, Response, Rule};
 use carom_tables::contact;
 use carom_tables::read::End;
 
 /// eMD* with the matrix of restitution integrated directly, to 1e-12 (MP13 Eqs. 42, 54).
 ///
-/// Slow, and without a domain: it is what tables are judged by.
+/// Slow, and without a domain: tables are compared with it.
 ///
 /// ```
 /// use carom::law::{Impact, LinearDashpot, Response, Rule};
 /// use carom_host::integrated::Integrated;
 /// let rule = Integrated::new(LinearDashpot { stiffness: 2000.0, damping: 0.0 });
 /// let head_on = Impact {
-///     reach: 0.2, effective_radius: 0.05, reduced_mass: 2.0,
+///     contact_distance: 0.2, effective_radius: 0.05, reduced_mass: 2.0,
 ///     normal_speed: 1.0, tangential_speed: 0.0, materials: [0, 0],
 /// };
 /// let Response::Lasting(outcome) = rule.collide(&head_on).response else { unreachable!() };

@@ -41,7 +41,7 @@ fn shipped_scenarios_start_without_overlap() {
 #[test]
 fn the_gas_has_the_packing_fraction_and_temperature_it_says() {
     let start = started(GAS);
-    let Side::PeriodicAxis([from, to]) = start.sides[0] else { panic!("not periodic") };
+    let Side::Periodic([from, to]) = start.sides[0] else { panic!("not periodic") };
     let filled: f64 = start.grains.iter().map(|g| 4.0 / 3.0 * PI * g.radius.powi(3)).sum();
     assert!((filled / (to - from).powi(3) - 0.01).abs() < 1e-12);
     for axis in 0..3 {
@@ -99,13 +99,14 @@ fn emd_star_follows_md_and_emd_does_not() {
     let found = compare::summarise(&scenario, &start, &tracks).expect("a comparison");
     let rms = |method: MethodName| {
         let summary = found.methods.iter().find(|s| s.method == method).expect("the method");
-        let apart = summary.series.last().and_then(|point| point.apart).expect("a difference");
-        (summary.collisions, apart.rms / found.mean_radius)
+        let difference =
+            summary.series.last().and_then(|point| point.difference).expect("a difference");
+        (summary.collisions, difference.rms / found.mean_radius)
     };
-    let [(judged, _), (_, verlet), (_, emd), (counted, star)] =
+    let [(exact, _), (_, verlet), (_, emd), (counted, star)] =
         [MethodName::Exact, MethodName::Md, MethodName::Emd, MethodName::EmdStar].map(rms);
-    assert!(judged >= 10, "only {judged} collisions");
-    assert_eq!(judged, counted);
+    assert!(exact >= 10, "only {exact} collisions");
+    assert_eq!(exact, counted);
     assert!(star < 1e-4, "eMD* is off by {star} radii");
     assert!(emd > 1e-2, "eMD is off by {emd} radii only");
     assert!(star < verlet && verlet < emd, "{star} {verlet} {emd}");
@@ -125,7 +126,7 @@ proptest! {
                 radius, mass: 1.0, position: [x, y, z], velocity: [0.0; 3],
             })
             .collect();
-        let sides = [Side::PeriodicAxis([0.0, 1.0]), Side::Open, Side::PeriodicAxis([0.0, 1.0])];
+        let sides = [Side::Periodic([0.0, 1.0]), Side::Open, Side::Periodic([0.0, 1.0])];
         let start = Start { dimension: 3, grains, sides, gravity: [0.0; 3] };
         prop_assert_eq!(
             touching(&start, &start.grains),

@@ -4,8 +4,8 @@ use carom::law::embedded::read::{Groups, Table};
 use carom::{Error, Grain, Storage};
 
 use crate::scene::{Number, n};
-use crate::time_stepped::TimeStepped;
 use crate::tilt::{self, BETWEEN_READINGS, Board, GRAINS, READINGS, tilt_box};
+use crate::time_stepped::TimeStepped;
 
 /// What a run took.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -58,7 +58,10 @@ pub fn replay<S: Number>(scene: Scene) -> Run {
 ///
 /// # Errors
 /// Any error of the engine, or [`Error::Full`] if the scene comes to an end before its last event.
-pub fn fig6<S: Number>(selection: Selection, report: &mut dyn FnMut(EventDigest)) -> Result<(), Error> {
+pub fn fig6<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 2>::new();
     run(&mut scene::fig6(&mut memory)?, selection, report)
 }
@@ -67,7 +70,10 @@ pub fn fig6<S: Number>(selection: Selection, report: &mut dyn FnMut(EventDigest)
 ///
 /// # Errors
 /// As [`fig6`].
-pub fn box16<S: Number>(selection: Selection, report: &mut dyn FnMut(EventDigest)) -> Result<(), Error> {
+pub fn box16<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 16>::new();
     turning(&mut scene::box16(&mut memory)?, selection, report)
 }
@@ -76,7 +82,10 @@ pub fn box16<S: Number>(selection: Selection, report: &mut dyn FnMut(EventDigest
 ///
 /// # Errors
 /// As [`fig6`].
-pub fn gas32<S: Number>(selection: Selection, report: &mut dyn FnMut(EventDigest)) -> Result<(), Error> {
+pub fn gas32<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
     let mut memory = Memory::<S, 3, 32>::new();
     run(&mut scene::gas32(&mut memory)?, selection, report)
 }
@@ -85,7 +94,10 @@ pub fn gas32<S: Number>(selection: Selection, report: &mut dyn FnMut(EventDigest
 ///
 /// # Errors
 /// As [`fig6`].
-pub fn column10<S: Number>(selection: Selection, report: &mut dyn FnMut(EventDigest)) -> Result<(), Error> {
+pub fn column10<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
     let mut memory = Memory::<S, 1, 10>::new();
     run(&mut scene::column10(&mut memory)?, selection, report)
 }

@@ -18,7 +18,7 @@ export const viscoelastic = (rho, a) => (x, rate) => {
 /**
  * One contact of two grains in a plane, from touch until the force vanishes (MP13 Eq. 10), by classical
  * Runge-Kutta steps; the end is found by bisection.
- * @param {Force} force @param {number} mass the reduced one @param {number} distance l = R1 + R2
+ * @param {Force} force @param {number} mass the reduced one @param {number} contactDistance l = R1 + R2
  * @param {number[]} r separation at touch @param {number[]} v its rate @param {number} step
  */
 export function pairContact(force, mass, contactDistance, r, v, step) {

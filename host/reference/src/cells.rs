@@ -13,7 +13,7 @@ pub(crate) struct NearPair<const D: usize> {
     pub grain: u32,
     pub other: u32,
     /// R1 + R2.
-    pub reach: f64,
+    pub contact_distance: f64,
     pub shift: Vector<D>,
 }
 
@@ -103,9 +103,14 @@ impl<const D: usize> Neighbours<D> {
                 let d = minus(&from, &grid.at[slot]);
                 let (square, j) = (dot(&d, &d), grid.sorted[slot]);
                 if square < cutoff * cutoff && j as usize > i {
-                    let reach = radii[i] + radii[j as usize];
-                    if square < (reach + skin) * (reach + skin) {
-                        pairs.push(NearPair { grain: i as u32, other: j, reach, shift: *shift });
+                    let contact_distance = radii[i] + radii[j as usize];
+                    if square < (contact_distance + skin) * (contact_distance + skin) {
+                        pairs.push(NearPair {
+                            grain: i as u32,
+                            other: j,
+                            contact_distance,
+                            shift: *shift,
+                        });
                     }
                 }
             }
@@ -173,7 +178,7 @@ impl<const D: usize> Grid<D> {
         for (axis, bound) in boundary.iter().enumerate() {
             self.period[axis] = bound.period();
             let (low, high) = match *bound {
-                Boundary::PeriodicAxis { lo, hi } => (lo, hi),
+                Boundary::Periodic { lo, hi } => (lo, hi),
                 _ => positions.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), r| {
                     (a.min(r[axis]), b.max(r[axis]))
                 }),
@@ -284,7 +289,7 @@ mod tests {
             [0.25, 0.45, 0.7, 1.0, 3.0].into_iter().flat_map(|s| [(s, true), (s, false)])
         {
             let r: Vec<Vector<2>> = (0..30).map(|_| [side * random(), side * random()]).collect();
-            let bound = Boundary::PeriodicAxis { lo: 0.0, hi: side };
+            let bound = Boundary::Periodic { lo: 0.0, hi: side };
             let other = if periodic { bound } else { Boundary::Open };
             let mut near = Neighbours::default();
             near.rebuild(&r, &[0.1; 30], &[bound, other], 0.07);

@@ -28,7 +28,7 @@ pub enum Boundary {
     /// Nothing.
     Open,
     /// The box repeats.
-    PeriodicAxis {
+    Periodic {
         /// Lower end.
         lo: f64,
         /// Upper end.
@@ -50,7 +50,7 @@ impl Boundary {
     #[inline]
     pub(crate) fn period(&self) -> f64 {
         match *self {
-            Self::PeriodicAxis { lo, hi } => hi - lo,
+            Self::Periodic { lo, hi } => hi - lo,
             _ => 0.0,
         }
     }
@@ -144,7 +144,7 @@ impl<const D: usize> System<D> {
 
     fn reduced(&self, position: &Vector<D>) -> Vec<f64> {
         let inside = |(p, b): (&f64, &Boundary)| match *b {
-            Boundary::PeriodicAxis { lo, hi } => lo + (p - lo).rem_euclid(hi - lo),
+            Boundary::Periodic { lo, hi } => lo + (p - lo).rem_euclid(hi - lo),
             _ => *p,
         };
         position.iter().zip(&self.boundary).map(inside).collect()
@@ -267,7 +267,7 @@ fn check_boundary(axis: usize, bound: &Boundary, widest: f64) -> Result<(), Refe
     if let Boundary::Plate(plate) = bound {
         return plate.check();
     }
-    let (Boundary::PeriodicAxis { lo, hi } | Boundary::Walls { lo, hi }) = *bound else {
+    let (Boundary::Periodic { lo, hi } | Boundary::Walls { lo, hi }) = *bound else {
         return Ok(());
     };
     if lo.is_finite() && hi.is_finite() && hi - lo > widest {

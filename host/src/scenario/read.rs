@@ -107,7 +107,7 @@ fn sides(sides: &Sides, dimension: usize) -> Result<()> {
             bail!("box.{name} is given, but dimension is {dimension}");
         }
         match side {
-            SideSpec::Open | SideSpec::PeriodicAxis { .. } => {}
+            SideSpec::Open | SideSpec::Periodic { .. } => {}
             SideSpec::Walls { surface, restitution, .. } => made_of(name, surface, restitution)?,
             SideSpec::Plate { at, amplitude, frequency, phase, surface, restitution } => {
                 made_of(name, surface, restitution)?;

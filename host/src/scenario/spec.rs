@@ -133,7 +133,7 @@ pub enum SideSpec {
     #[default]
     Open,
     /// The box repeats.
-    PeriodicAxis {
+    Periodic {
         /// Lower end (m); may be left out with `gas.packing_fraction`.
         from: Option<f64>,
         /// Upper end (m).

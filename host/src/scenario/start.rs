@@ -68,7 +68,7 @@ fn sides(scenario: &Scenario) -> Result<[Side; 3]> {
         let name = ["x", "y", "z"][axis];
         *side = match spec {
             SideSpec::Open => Side::Open,
-            SideSpec::PeriodicAxis { from, to } => Side::PeriodicAxis(range(name, from, to, edge)?),
+            SideSpec::Periodic { from, to } => Side::Periodic(range(name, from, to, edge)?),
             SideSpec::Walls { from, to, surface, restitution } => {
                 let range = range(name, from, to, edge)?;
                 match surface {
@@ -127,7 +127,7 @@ pub fn touching(start: &Start, grains: &[Placed]) -> Vec<bool> {
     order.sort_by(|a, b| a.0.total_cmp(&b.0));
     // A second round, one period further on, for pairs across the periodic face.
     let again: Vec<(f64, usize)> = match start.sides[0] {
-        Side::PeriodicAxis([from, to]) => {
+        Side::Periodic([from, to]) => {
             let near = order.iter().take_while(|(x, _)| *x < from + widest);
             near.map(|(x, i)| (x + to - from, *i)).collect()
         }

@@ -38,7 +38,7 @@ pub fn periodic(side: usize, packing: f64, seed: u64) -> System<3> {
         velocity: std::array::from_fn(|_| random.normal() * 2.0 / 3.0_f64.sqrt()),
     };
     let grains = (0..n).map(grain).collect();
-    let bound = Boundary::PeriodicAxis { lo: 0.0, hi: width };
+    let bound = Boundary::Periodic { lo: 0.0, hi: width };
     System::new(grains, [bound; 3], [0.0; 3]).expect("a valid gas")
 }
 

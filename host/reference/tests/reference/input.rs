@@ -39,12 +39,12 @@ fn grains() {
 #[test]
 fn boundaries() {
     let with = |b| system(&[GRAIN, OTHER], [Boundary::Open, b]);
-    says(with(Boundary::PeriodicAxis { lo: 1.0, hi: 0.0 }), &["axis 1", "from 1 to 0"]);
-    says(with(Boundary::PeriodicAxis { lo: 0.0, hi: 0.2 }), &["axis 1", "diameter, 0.2"]);
+    says(with(Boundary::Periodic { lo: 1.0, hi: 0.0 }), &["axis 1", "from 1 to 0"]);
+    says(with(Boundary::Periodic { lo: 0.0, hi: 0.2 }), &["axis 1", "diameter, 0.2"]);
     says(with(Boundary::Walls { lo: f64::NAN, hi: 1.0 }), &["axis 1", "NaN"]);
     says(with(Boundary::Walls { lo: 0.6, hi: 1.0 }), &["grain 0", "position[1] = 0.5", "walls"]);
     let image = Grain { position: [0.5, 1.5], ..GRAIN };
-    let narrow = [Boundary::Open, Boundary::PeriodicAxis { lo: 0.0, hi: 1.0 }];
+    let narrow = [Boundary::Open, Boundary::Periodic { lo: 0.0, hi: 1.0 }];
     says(system(&[GRAIN, image], narrow), &["grains 0 and 1", "same centre"]);
     says(System::new(vec![GRAIN], OPEN, [0.0, f64::NAN]), &["gravity = NaN"]);
 }

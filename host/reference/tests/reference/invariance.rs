@@ -33,7 +33,7 @@ fn run(grains: &[Grain<2>], bound: Boundary, contacts: usize) -> Exact<2> {
     run
 }
 
-const BOX: Boundary = Boundary::PeriodicAxis { lo: 0.0, hi: SIDE };
+const BOX: Boundary = Boundary::Periodic { lo: 0.0, hi: SIDE };
 
 /// A few contacts amplify round-off; 1e-9 leaves them three to four orders.
 const CLOSE: f64 = 1e-9;
@@ -104,7 +104,7 @@ fn one_pair_in_two_images() {
     let disc = |x: f64, v: f64| Grain { radius: 0.1, mass: 1.0, position: [x], velocity: [v] };
     let system = System::new(
         vec![disc(0.0, 0.3), disc(0.195, -0.3)],
-        [Boundary::PeriodicAxis { lo: 0.0, hi: 0.39 }],
+        [Boundary::Periodic { lo: 0.0, hi: 0.39 }],
         [0.0],
     )
     .expect("valid");

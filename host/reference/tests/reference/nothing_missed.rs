@@ -36,7 +36,7 @@ fn gaps(run: &Exact<2>, boundary: [Boundary; 2]) -> Vec<(usize, Partner, [f64; 2
         for (j, b) in grains.iter().enumerate().skip(i + 1) {
             let mut d = [0, 1].map(|k| a.position[k] - b.position[k]);
             for (d, bound) in d.iter_mut().zip(&boundary) {
-                if matches!(bound, Boundary::PeriodicAxis { .. }) {
+                if matches!(bound, Boundary::Periodic { .. }) {
                     *d -= SIDE * (*d / SIDE).round();
                 }
             }
@@ -91,7 +91,7 @@ fn check(seed: u64, kind: usize, end: End, boundary: [Boundary; 2], gravity: f64
             }
         }
     }
-    // Soft enough, a centre may pass a wall; that is no system to start from, but no fault.
+    // Soft enough, a centre may pass a wall; that is no system to start from, but no error of the run.
     let Ok(after) = run.system() else { return };
     if theta == 0.0 && gravity == 0.0 {
         let drift = total(&after) / total(&start) - 1.0;
@@ -100,7 +100,7 @@ fn check(seed: u64, kind: usize, end: End, boundary: [Boundary; 2], gravity: f64
 }
 
 const WALLS: Boundary = Boundary::Walls { lo: 0.0, hi: SIDE };
-const PERIODIC: Boundary = Boundary::PeriodicAxis { lo: 0.0, hi: SIDE };
+const PERIODIC: Boundary = Boundary::Periodic { lo: 0.0, hi: SIDE };
 
 fn case(seed: u64, kind: usize, overlap: bool, axes: usize, gravity: f64, contacts: usize) {
     let end = if overlap { End::Overlap } else { End::Force };
