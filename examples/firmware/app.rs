@@ -10,17 +10,17 @@ use semihosting::println;
 
 use crate::stack::Painted;
 
-/// Plays the tilt box and shows the digest of its last state.
+/// Runs the tilt box and shows the digest of its last state.
 ///
 /// # Errors
-/// Any fault of the engine.
+/// Any error of the engine.
 pub fn tilt_box<S: Number>(
     table: &'static Table<S::Stored>,
     board: &mut impl Board,
 ) -> Result<(), Error> {
     let mut memory = tilt::memory::<S>();
     let mut world = tilt::tilt_box(&mut memory, table)?;
-    tilt::play(&mut world, board)?;
+    tilt::run_script(&mut world, board)?;
     board.write(&tilt::hexadecimal(world.digest()));
     board.write(b"\n");
     Ok(())
@@ -42,9 +42,9 @@ pub fn measure_all<S: Number>(
         measure::<S>(name, table, stack, board);
         println!("{name}.lookup {}", measure::lookup::<S>(table, board));
     }
-    match measure::stepped::<S>(S::compact(), BEGIN, STEPS, board) {
+    match measure::time_stepped::<S>(S::compact(), BEGIN, STEPS, board) {
         Ok(instructions) => println!("md {instructions}"),
-        Err(fault) => println!("md.fault {fault}"),
+        Err(error) => println!("md.error {error}"),
     }
 }
 
@@ -70,6 +70,6 @@ fn measure<S: Number>(
             println!("{name}.outside {outside}");
             println!("{name}.digest {digest:016x}");
         }
-        Err(fault) => println!("{name}.fault {fault}"),
+        Err(error) => println!("{name}.error {error}"),
     }
 }

@@ -4,8 +4,8 @@
 //! `scene scalar first last` each event of that range.
 
 use carom::scalar::I32F32;
-use carom_scenes::replay::{Told, replay};
-use carom_scenes::{Event, Number, Scene};
+use carom_scenes::replay::{Selection, replay};
+use carom_scenes::{EventDigest, Number, Scene};
 use semihosting::experimental::env;
 use semihosting::println;
 
@@ -15,17 +15,19 @@ const LAST: u32 = 10_000;
 /// Replays what the command line asks for; returns the exit code.
 #[must_use]
 pub fn main() -> i32 {
-    let Some((scene, scalar, told)) = asked() else {
+    let Some((scene, scalar, selection)) = asked() else {
         let all = |scene| {
-            let told = Told::thousandths(LAST);
-            one::<f32>(scene, told) && one::<f64>(scene, told) && one::<I32F32>(scene, told)
+            let selection = Selection::every_thousandth(LAST);
+            one::<f32>(scene, selection)
+                && one::<f64>(scene, selection)
+                && one::<I32F32>(scene, selection)
         };
         return i32::from(!Scene::ALL.into_iter().all(all));
     };
     i32::from(!match scalar {
-        Scalar::F32 => one::<f32>(scene, told),
-        Scalar::F64 => one::<f64>(scene, told),
-        Scalar::Fixed => one::<I32F32>(scene, told),
+        Scalar::F32 => one::<f32>(scene, selection),
+        Scalar::F64 => one::<f64>(scene, selection),
+        Scalar::Fixed => one::<I32F32>(scene, selection),
     })
 }
 
@@ -36,19 +38,20 @@ enum Scalar {
 }
 
 /// Replays one scene in one number type; whether it came to its end.
-fn one<S: Number>(scene: Scene, told: Told) -> bool {
+fn one<S: Number>(scene: Scene, selection: Selection) -> bool {
     let (name, scalar) = (scene.name(), S::NAME);
-    let mut tell =
-        |Event { number, digest }: Event| println!("{name} {scalar} {number} {digest:016x}");
-    let run = replay::<S>(scene)(told, &mut tell);
-    if let Err(fault) = run {
-        println!("{name} {scalar} fault: {fault}");
+    let mut report = |EventDigest { event, digest }: EventDigest| {
+        println!("{name} {scalar} {event} {digest:016x}")
+    };
+    let run = replay::<S>(scene)(selection, &mut report);
+    if let Err(error) = run {
+        println!("{name} {scalar} error: {error}");
     }
     run.is_ok()
 }
 
 /// What the command line asks for.
-fn asked() -> Option<(Scene, Scalar, Told)> {
+fn asked() -> Option<(Scene, Scalar, Selection)> {
     let words = env::args::<128>().ok()?;
     let mut words = (&words).into_iter().filter_map(Result::ok).skip(1);
     let (name, scalar) = (words.next()?, words.next()?);
@@ -59,5 +62,5 @@ fn asked() -> Option<(Scene, Scalar, Told)> {
         "I32F32" => Scalar::Fixed,
         _ => return None,
     };
-    Some((scene, scalar, Told::each(words.next()?.parse().ok()?, words.next()?.parse().ok()?)))
+    Some((scene, scalar, Selection::each(words.next()?.parse().ok()?, words.next()?.parse().ok()?)))
 }

@@ -11,7 +11,7 @@ const PAINT: u32 = 0xCCCC_CCCC;
 const MARGIN: usize = 256;
 
 /// More is not painted.
-const MOST: usize = 32 * 1024;
+const MAX_PAINTED: usize = 32 * 1024;
 
 /// The painted part of the stack.
 pub struct Painted {
@@ -28,7 +28,7 @@ impl Painted {
     pub fn new(lowest: usize) -> Self {
         let here = 0_u32;
         let high = ((&raw const here).addr() - MARGIN) & !3;
-        let low = high.saturating_sub(MOST).max(lowest).min(high);
+        let low = high.saturating_sub(MAX_PAINTED).max(lowest).min(high);
         for at in (low..high).step_by(4) {
             // SAFETY: RAM below the stack pointer and this function's frame, which no value owns; aligned.
             unsafe { ptr::with_exposed_provenance_mut::<u32>(at).write_volatile(PAINT) };

@@ -4,7 +4,7 @@
 //! fixed number of collisions, so that two builds do the same work. What counts is user CPU time;
 //! crossings into another cell and ends of contacts are work, but no collisions.
 
-use crate::storage::HeapMemory;
+use crate::heap_memory::HeapMemory;
 use anyhow::{Context, Result};
 use carom::law::{Central, HardSphere, Outside, Rule, Soft, Viscoelastic};
 use carom::{Grain, Storage, World};
@@ -48,7 +48,7 @@ pub struct Effort {
 /// Equilibrates a case and times its collisions.
 ///
 /// # Errors
-/// A fault of the engine.
+/// An error of the engine.
 pub fn measure(case: &Case) -> Result<Row> {
     let equilibration = EQUILIBRATION * case.count as u64;
     measure_with(case, Effort { equilibration, collisions: case.collisions })
@@ -80,8 +80,8 @@ fn with_rule<const D: usize>(case: &Case, effort: Effort) -> Result<Row> {
 fn run<const D: usize>(case: &Case, rule: impl Rule<f64>, effort: Effort) -> Result<Row> {
     let mut storage = HeapMemory::<f64, D>::new(case.count);
     let bytes_per_grain = bytes(&mut storage) as f64 / case.count as f64;
-    let setup = World::builder(&mut storage).periodic([[0.0, case.edge()]; D]).rule(rule);
-    let mut world = setup.grains(grains::<D>(case))?.start()?;
+    let builder = World::builder(&mut storage).periodic([[0.0, case.edge()]; D]).rule(rule);
+    let mut world = builder.grains(grains::<D>(case))?.start()?;
     collide(&mut world, effort.equilibration)?;
     let (from, begin) = (world.now(), user_seconds());
     let events = timed(&mut world, effort.collisions)?;
@@ -104,7 +104,7 @@ fn collide<const D: usize, R: Rule<f64>>(
 ) -> Result<u64> {
     let before = world.statistics().collisions;
     while world.statistics().collisions - before < collisions {
-        world.step()?.context("no grain will ever meet another")?;
+        world.step()?.context("no grain will ever collide")?;
     }
     Ok(world.statistics().collisions - before)
 }
@@ -120,12 +120,12 @@ fn timed<const D: usize, R: Rule<f64>>(
 
 /// All that a world of this storage borrows.
 fn bytes<const D: usize>(storage: &mut HeapMemory<f64, D>) -> usize {
-    let room = storage.buffers();
-    size_of_val(room.bodies)
-        + size_of_val(room.events)
-        + size_of_val(room.tree)
-        + size_of_val(room.links)
-        + size_of_val(room.heads)
+    let buffers = storage.buffers();
+    size_of_val(buffers.bodies)
+        + size_of_val(buffers.events)
+        + size_of_val(buffers.tree)
+        + size_of_val(buffers.links)
+        + size_of_val(buffers.heads)
 }
 
 /// User CPU time of this process (s): what others do on the machine is left out as far as it can be.

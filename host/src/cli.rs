@@ -26,9 +26,9 @@ enum Command {
     Compare(commands::compare::CompareOptions),
     /// Run gases of ten grains until three touch, and show how far event-driven runs are from MD.
     Divergence(commands::figure::DivergenceOptions),
-    /// Make a figure of the papers anew and set their numbers beside ours.
+    /// Reproduce a figure of the papers and compare its numbers.
     Figure(commands::figure::FigureOptions),
-    /// Answer isolated two-grain collisions listed in a CSV file, as CSV on standard output.
+    /// Compute isolated two-grain collisions listed in a CSV file, as CSV on standard output.
     Collide(commands::table::CollideOptions),
     /// Measure pressure and mean free time of hard spheres and disks against published values.
     Fluid(commands::hard::FluidOptions),
@@ -51,7 +51,7 @@ enum Command {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
-        Err(error) => return refuse(&error),
+        Err(error) => return parse_error(&error),
     };
     match arguments.command {
         Some(Command::Compare(options)) => commands::compare::compare(&options),
@@ -70,8 +70,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
     }
 }
 
-/// Help and version are printed as asked; any other complaint becomes one line.
-fn refuse(error: &clap::Error) -> Result<()> {
+/// Help and version are printed as asked; any other error becomes one line.
+fn parse_error(error: &clap::Error) -> Result<()> {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         return Ok(error.print()?);
     }
@@ -79,5 +79,5 @@ fn refuse(error: &clap::Error) -> Result<()> {
     let message = text.split("\n\nUsage:").next().unwrap_or(&text);
     let message = message.split("\n\nFor more information").next().unwrap_or(message);
     let words: Vec<&str> = message.trim_start_matches("error: ").split_whitespace().collect();
-    Err(anyhow!("{} (carom --help lists what there is)", words.join(" ")))
+    Err(anyhow!("{} (carom --help lists commands and options)", words.join(" ")))
 }

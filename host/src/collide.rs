@@ -85,7 +85,7 @@ fn answer(impact: &Impact, scaled: &ScaledRestitution<f64>, end: End) -> Answer 
 /// Writes the answers as CSV, each number with as many digits as a double needs.
 ///
 /// # Errors
-/// What `sink` says.
+/// An error of `sink`.
 pub fn write(sink: &mut dyn Write, cases: &[Case], outcomes: &[Outcome]) -> Result<()> {
     let mut writer = csv::Writer::from_writer(sink);
     writer.write_record([

@@ -25,12 +25,12 @@ pub struct Comparison {
     /// Mean radius (m).
     pub mean_radius: f64,
     /// What positions are compared with.
-    pub judge: MethodName,
-    /// Where in the run `Summary::apart` is taken (s).
+    pub reference: MethodName,
+    /// Where in the run `Summary::difference` is taken (s).
     pub compared_at: f64,
-    /// How long the judge ran (s).
-    pub judged_until: f64,
-    /// One entry for each method, the judge first.
+    /// How long the reference ran (s).
+    pub reference_until: f64,
+    /// One entry for each method, the reference first.
     pub methods: Vec<Summary>,
 }
 
@@ -50,11 +50,11 @@ pub struct Summary {
     /// How many times faster than force-based MD by velocity Verlet; nothing if that took less
     /// than a few milliseconds, which cannot be timed in one run.
     pub speed_up: Option<f64>,
-    /// Position differences from the judge at `Comparison::compared_at`.
-    pub apart: Option<Apart>,
-    /// The last sample at which it still followed the judge; nothing if it did to the judge's end.
+    /// Position differences from the reference at `Comparison::compared_at`.
+    pub difference: Option<Difference>,
+    /// The last sample at which it still followed the reference; nothing if it did to the reference's end.
     pub followed_until: Option<f64>,
-    /// Collisions a grain until then, or until the judge's end.
+    /// Collisions a grain until then, or until the reference's end.
     pub followed_collisions: f64,
     /// All statistics at the end.
     pub statistics: Vec<(&'static str, u64)>,
@@ -62,7 +62,7 @@ pub struct Summary {
     pub series: Vec<Point>,
 }
 
-/// One sample of one method, compared with the judge.
+/// One sample of one method, compared with the reference.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Point {
     /// Time (s).
@@ -73,8 +73,8 @@ pub struct Point {
     pub collisions: u64,
     /// Collisions a grain so far.
     pub collisions_per_grain: f64,
-    /// Position differences from the judge.
-    pub apart: Option<Apart>,
+    /// Position differences from the reference.
+    pub difference: Option<Difference>,
 }
 
 /// One method's samples and cost.
@@ -88,11 +88,11 @@ pub struct Track {
     pub wall_seconds: f64,
 }
 
-/// Runs MD by velocity Verlet, eMD, eMD* and, as the judge, MD contact by contact, all from one
-/// start and one after the other, so that the times can be compared. The judge comes first.
+/// Runs MD by velocity Verlet, eMD, eMD* and, as the reference, MD contact by contact, all from one
+/// start and one after the other, so that the times can be compared. The reference comes first.
 ///
 /// # Errors
-/// What a method says; a law without a force.
+/// An error of a method; a law without a force.
 pub fn tracks(scenario: &Scenario) -> Result<(Start, Vec<Track>)> {
     if matches!(scenario.law, LawSpec::Constant { .. }) {
         bail!(
@@ -130,34 +130,35 @@ fn track(scenario: &Scenario, start: &Start, name: MethodName, plan: &Plan) -> R
 /// # Errors
 /// When there is no track.
 pub fn summarise(scenario: &Scenario, start: &Start, tracks: &[Track]) -> Result<Comparison> {
-    let Some(judge) = tracks.first() else { bail!("no method was run") };
+    let Some(reference) = tracks.first() else { bail!("no method was run") };
     let verlet = tracks.iter().find(|track| track.method == MethodName::Md);
-    let at = where_to_look(start, judge);
-    let one = |track: &Track| summary(start, judge, verlet, at, track);
+    let at = sample_to_compare(start, reference);
+    let one = |track: &Track| summary(start, reference, verlet, at, track);
     Ok(Comparison {
         title: scenario.title.clone(),
         grains: start.grains.len(),
         mean_radius: start.mean_radius(),
-        judge: judge.method,
-        judged_until: judge.samples.last().map_or(0.0, |sample| sample.time),
-        compared_at: judge.samples.get(at).map_or(0.0, |sample| sample.time),
+        reference: reference.method,
+        reference_until: reference.samples.last().map_or(0.0, |sample| sample.time),
+        compared_at: reference.samples.get(at).map_or(0.0, |sample| sample.time),
         methods: tracks.iter().map(one).collect(),
     })
 }
 
 fn summary(
     start: &Start,
-    judge: &Track,
+    reference: &Track,
     verlet: Option<&Track>,
     at: usize,
     track: &Track,
 ) -> Summary {
-    let series = series(start, judge, track);
+    let series = series(start, reference, track);
     let limit = FOLLOWING * start.mean_radius();
-    let is_lost = |point: &Point| point.apart.is_some_and(|apart| apart.median > limit);
+    let is_lost =
+        |point: &Point| point.difference.is_some_and(|difference| difference.median > limit);
     let lost = series.iter().position(is_lost);
-    let judged = series.iter().rposition(|point| point.apart.is_some()).unwrap_or(0);
-    let last = series[lost.map_or(judged, |lost| lost.saturating_sub(1))];
+    let compared = series.iter().rposition(|point| point.difference.is_some()).unwrap_or(0);
+    let last = series[lost.map_or(compared, |lost| lost.saturating_sub(1))];
     let end = series[series.len() - 1];
     Summary {
         method: track.method,
@@ -168,7 +169,7 @@ fn summary(
         speed_up: verlet
             .filter(|verlet| verlet.wall_seconds > TIMEABLE)
             .map(|verlet| speed(track) / speed(verlet)),
-        apart: series.get(at).and_then(|point| point.apart),
+        difference: series.get(at).and_then(|point| point.difference),
         followed_until: lost.map(|_| last.time),
         followed_collisions: last.collisions_per_grain,
         statistics: track.samples.last().map(|s| s.statistics.clone()).unwrap_or_default(),
@@ -186,52 +187,56 @@ fn speed(track: &Track) -> f64 {
 /// During a contact eMD* holds grains where they will be only at its end, and eMD has no duration
 /// at all, so grains in contact are left out.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Apart {
+pub struct Difference {
     /// Half of the grains differ by less (m).
     pub median: f64,
     /// Root mean square (m).
     pub rms: f64,
     /// Largest (m).
-    pub largest: f64,
+    pub max: f64,
 }
 
 /// The differences of one sample; nothing if all grains are in contact.
-fn apart(start: &Start, judge: &Sample, other: &Sample) -> Option<Apart> {
-    let held = touching(start, &judge.grains).into_iter().zip(touching(start, &other.grains));
-    let pairs = judge.grains.iter().zip(&other.grains).zip(held);
+fn difference(start: &Start, reference: &Sample, other: &Sample) -> Option<Difference> {
+    let in_contact =
+        touching(start, &reference.grains).into_iter().zip(touching(start, &other.grains));
+    let pairs = reference.grains.iter().zip(&other.grains).zip(in_contact);
     let free = pairs.filter(|(_, (here, there))| !here && !there);
     let mut squares: Vec<f64> = free
         .map(|((a, b), _)| start.nearest(&a.position, &b.position).iter().map(|x| x * x).sum())
         .collect();
     squares.sort_by(f64::total_cmp);
     let mean = squares.iter().sum::<f64>() / squares.len() as f64;
-    Some(Apart {
+    Some(Difference {
         median: squares.get(squares.len() / 2)?.sqrt(),
         rms: mean.sqrt(),
-        largest: squares.last()?.sqrt(),
+        max: squares.last()?.sqrt(),
     })
 }
 
-/// The time series of a track, compared with the judge's as long as that ran.
-fn series(start: &Start, judge: &Track, track: &Track) -> Vec<Point> {
+/// The time series of a track, compared with the reference's as long as that ran.
+fn series(start: &Start, reference: &Track, track: &Track) -> Vec<Point> {
     let point = |(number, sample): (usize, &Sample)| Point {
         time: sample.time,
         kinetic_energy: sample.kinetic_energy,
         collisions: sample.collisions,
         collisions_per_grain: per_grain(start, sample),
-        apart: judge.samples.get(number).and_then(|judge| apart(start, judge, sample)),
+        difference: reference
+            .samples
+            .get(number)
+            .and_then(|reference| difference(start, reference, sample)),
     };
     track.samples.iter().enumerate().map(point).collect()
 }
 
 /// The sample at which the table compares: the first after one collision a grain, or the last one
 /// if the run hardly gets there.
-fn where_to_look(start: &Start, judge: &Track) -> usize {
-    let last = judge.samples.len() - 1;
-    if per_grain(start, &judge.samples[last]) <= 2.0 {
+fn sample_to_compare(start: &Start, reference: &Track) -> usize {
+    let last = reference.samples.len() - 1;
+    if per_grain(start, &reference.samples[last]) <= 2.0 {
         return last;
     }
-    judge.samples.iter().position(|sample| per_grain(start, sample) >= 1.0).unwrap_or(last)
+    reference.samples.iter().position(|sample| per_grain(start, sample) >= 1.0).unwrap_or(last)
 }
 
 fn per_grain(start: &Start, sample: &Sample) -> f64 {
@@ -242,9 +247,9 @@ const HEAD: [&str; 9] = [
     "method",
     "collisions",
     "energy [J]",
-    "apart [R]",
+    "median [R]",
     "rms [R]",
-    "largest [R]",
+    "max [R]",
     "follows to [s]",
     "cost [s]",
     "speed-up",
@@ -253,7 +258,7 @@ const HEAD: [&str; 9] = [
 /// Prints the comparison: what each method got, what it cost, and what was out of the ordinary.
 ///
 /// # Errors
-/// What `sink` says.
+/// An error of `sink`.
 pub fn print(sink: &mut dyn Write, comparison: &Comparison) -> Result<()> {
     writeln!(sink, "{} ({} grains)", comparison.title, comparison.grains)?;
     let mut rows = vec![HEAD.map(str::to_owned).to_vec()];
@@ -264,10 +269,10 @@ pub fn print(sink: &mut dyn Write, comparison: &Comparison) -> Result<()> {
 
 fn row(comparison: &Comparison, summary: &Summary) -> [String; 9] {
     let radius = comparison.mean_radius;
-    let is_judge = summary.method == comparison.judge;
+    let is_reference = summary.method == comparison.reference;
     let dash = || "-".to_owned();
-    let [median, rms, largest] = match summary.apart {
-        Some(apart) if !is_judge => [apart.median, apart.rms, apart.largest]
+    let [median, rms, max] = match summary.difference {
+        Some(difference) if !is_reference => [difference.median, difference.rms, difference.max]
             .map(|length| format!("{:.1e}", length / radius)),
         _ => [dash(), dash(), dash()],
     };
@@ -277,14 +282,14 @@ fn row(comparison: &Comparison, summary: &Summary) -> [String; 9] {
         format!("{:.6}", summary.kinetic_energy),
         median,
         rms,
-        largest,
+        max,
         match summary.followed_until {
-            _ if is_judge => dash(),
+            _ if is_reference => dash(),
             Some(time) => format!("{time:.3}"),
-            None => format!("{:.3}+", comparison.judged_until),
+            None => format!("{:.3}+", comparison.reference_until),
         },
         seconds(summary.wall_seconds),
-        summary.speed_up.filter(|_| !is_judge).map_or_else(dash, speed_up),
+        summary.speed_up.filter(|_| !is_reference).map_or_else(dash, speed_up),
     ]
 }
 
@@ -297,26 +302,29 @@ fn speed_up(factor: f64) -> String {
 }
 
 fn notes(sink: &mut dyn Write, comparison: &Comparison) -> Result<()> {
-    let (judge, at) = (comparison.judge.label(), comparison.compared_at);
+    let (reference, at) = (comparison.reference.label(), comparison.compared_at);
     writeln!(
         sink,
-        "  apart: distance to where {judge} has the grain at t = {at:.4} s, median; grains in contact left out"
+        "  median, rms, max: distance to where {reference} has the grain at t = {at:.4} s; grains in contact left out"
     )?;
     writeln!(
         sink,
-        "  follows: until half of the grains are {FOLLOWING} R apart; speed-up: over MD (velocity Verlet)"
+        "  follows: until half of the grains are {FOLLOWING} R difference; speed-up: over MD (velocity Verlet)"
     )?;
     let end = comparison.methods.iter().map(|summary| summary.simulated).fold(0.0, f64::max);
-    if comparison.judged_until < end {
-        let until = comparison.judged_until;
-        writeln!(sink, "  {judge} runs to t = {until} s only: collisions and energy are of then")?;
+    if comparison.reference_until < end {
+        let until = comparison.reference_until;
+        writeln!(
+            sink,
+            "  {reference} runs to t = {until} s only: collisions and energy are of then"
+        )?;
     }
     for summary in &comparison.methods {
-        let told = ["rotation_refused", "interrupted", "clamped", "hard_sphere"];
+        let shown = ["rotation_refused", "interrupted", "clamped", "hard_sphere"];
         let list: Vec<String> = summary
             .statistics
             .iter()
-            .filter(|(name, _)| told.contains(name))
+            .filter(|(name, _)| shown.contains(name))
             .map(|(name, count)| format!("{} {count}", name.replace('_', " ")))
             .collect();
         if !list.is_empty() {

@@ -4,8 +4,8 @@
 //! by about the mean free path over the grain's size in the next. So the error after the first
 //! collision is the method's own, and its growth with the collision number is the gas's.
 
+use crate::heap_memory::HeapMemory;
 use crate::integrated::Integrated;
-use crate::storage::HeapMemory;
 use carom::law::{Central, Outside, Rule, Soft, Viscoelastic};
 use carom::{Error, Grain, World};
 use carom_reference::{
@@ -20,7 +20,7 @@ pub const GRAINS: usize = 10;
 /// Radius R in m.
 const RADIUS: f64 = 0.1;
 /// l = 2R, the unit of the errors.
-pub const REACH: f64 = 2.0 * RADIUS;
+pub const CONTACT_DISTANCE: f64 = 2.0 * RADIUS;
 /// Mass density in kg/m³.
 const DENSITY: f64 = 1140.0;
 /// Packing fraction: dense enough that ten collisions do not multiply round-off beyond sight.
@@ -32,7 +32,7 @@ pub const LAW: Viscoelastic<f64> = Viscoelastic { young: 1.0e7, poisson: 0.4, di
 
 /// How a gas is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum Variant {
     /// eMD*, the matrix of restitution integrated for each contact.
     Integrated,
     /// eMD*, the matrix of restitution read from the standard table.
@@ -41,7 +41,7 @@ pub enum Way {
     HardSphere,
 }
 
-impl Way {
+impl Variant {
     /// All of them, the best first.
     pub const ALL: [Self; 3] = [Self::Integrated, Self::Table, Self::HardSphere];
 
@@ -56,12 +56,12 @@ impl Way {
     }
 }
 
-/// The errors of one way: `by_collision[k]` holds, for each run that got so far, the largest distance
+/// The errors of one variant: `by_collision[k]` holds, for each run that got so far, the largest distance
 /// of a free grain from its place in MD after k + 1 collisions, in units of l.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Errors {
-    /// Which way.
-    pub way: Way,
+    /// Which variant.
+    pub variant: Variant,
     /// One list for each collision number.
     pub by_collision: Vec<Vec<f64>>,
 }
@@ -77,7 +77,7 @@ impl Errors {
 
     /// The largest over all runs that got so far; `collision` counts from 0.
     #[must_use]
-    pub fn largest(&self, collision: usize) -> Option<f64> {
+    pub fn max(&self, collision: usize) -> Option<f64> {
         self.by_collision.get(collision)?.iter().copied().max_by(f64::total_cmp)
     }
 }
@@ -101,15 +101,15 @@ pub fn study(
     seeds: impl IntoIterator<Item = u64>,
     collisions: usize,
 ) -> Result<Vec<Errors>, DivergenceError> {
-    let mut all: Vec<Errors> = Way::ALL
+    let mut all: Vec<Errors> = Variant::ALL
         .into_iter()
-        .map(|way| Errors { way, by_collision: vec![Vec::new(); collisions] })
+        .map(|variant| Errors { variant, by_collision: vec![Vec::new(); collisions] })
         .collect();
     for seed in seeds {
         let grains = gas(seed);
-        let samples = judge(&grains, collisions)?;
+        let samples = reference_samples(&grains, collisions)?;
         for errors in &mut all {
-            let found = compare(errors.way, &grains, &samples)?;
+            let found = compare(errors.variant, &grains, &samples)?;
             for (list, error) in errors.by_collision.iter_mut().zip(found) {
                 list.push(error);
             }
@@ -136,13 +136,14 @@ pub fn edge() -> f64 {
 fn gas(seed: u64) -> Vec<Grain<f64, 3>> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let edge = edge();
-    let apart = |a: &[f64; 3], b: &[f64; 3]| {
-        (0..3).map(|i| nearest(a[i] - b[i]).powi(2)).sum::<f64>() > (1.01 * REACH).powi(2)
+    let separate = |a: &[f64; 3], b: &[f64; 3]| {
+        (0..3).map(|i| nearest(a[i] - b[i]).powi(2)).sum::<f64>()
+            > (1.01 * CONTACT_DISTANCE).powi(2)
     };
     let mut places: Vec<[f64; 3]> = Vec::new();
     while places.len() < GRAINS {
         let place = std::array::from_fn(|_| rng.random_range(0.0..edge));
-        if places.iter().all(|other| apart(&place, other)) {
+        if places.iter().all(|other| separate(&place, other)) {
             places.push(place);
         }
     }
@@ -160,7 +161,10 @@ fn nearest(x: f64) -> f64 {
 }
 
 /// The force-based run at tight tolerance: where the free grains are after each collision.
-fn judge(grains: &[Grain<f64, 3>], collisions: usize) -> Result<Vec<Sample>, ReferenceError> {
+fn reference_samples(
+    grains: &[Grain<f64, 3>],
+    collisions: usize,
+) -> Result<Vec<Sample>, ReferenceError> {
     let start = || -> Result<Exact<3>, ReferenceError> {
         let periodic = Boundary::Periodic { lo: 0.0, hi: edge() };
         let grains = grains.iter().map(for_reference).collect();
@@ -212,12 +216,16 @@ fn sample(run: &mut Exact<3>, time: f64) -> Result<Sample, ReferenceError> {
 
 /// The error at each sample, as far as the run is comparable: until a contact is interrupted, a turn
 /// refused or an impact found outside the table.
-fn compare(way: Way, grains: &[Grain<f64, 3>], samples: &[Sample]) -> Result<Vec<f64>, Error> {
+fn compare(
+    variant: Variant,
+    grains: &[Grain<f64, 3>],
+    samples: &[Sample],
+) -> Result<Vec<f64>, Error> {
     let soft = Soft::viscoelastic(LAW, Outside::HardSphere);
-    match way {
-        Way::Integrated => errors(Integrated::new(LAW), grains, samples),
-        Way::Table => errors(soft, grains, samples),
-        Way::HardSphere => errors(Central(Integrated::new(LAW)), grains, samples),
+    match variant {
+        Variant::Integrated => errors(Integrated::new(LAW), grains, samples),
+        Variant::Table => errors(soft, grains, samples),
+        Variant::HardSphere => errors(Central(Integrated::new(LAW)), grains, samples),
     }
 }
 
@@ -247,7 +255,7 @@ fn errors(
                 .zip(grain.position.iter())
                 .map(|(a, b)| nearest(a - b).powi(2))
                 .sum::<f64>();
-            Some(off.sqrt() / REACH)
+            Some(off.sqrt() / CONTACT_DISTANCE)
         });
         found.push(error.fold(0.0, f64::max));
     }

@@ -1,14 +1,13 @@
 //! What does a contact do, without a table? Integrates the contact equation for each impact; writes its outcome.
 
 use carom::Error;
-use carom::law::ForceLaw;
-use carom::law::{Answer, Impact, Response, Rule};
+use carom::law::{Answer, ForceLaw, Impact, Response, Rule};
 use carom_tables::contact;
 use carom_tables::read::End;
 
 /// eMD* with the matrix of restitution integrated directly, to 1e-12 (MP13 Eqs. 42, 54).
 ///
-/// Slow, and without a domain: it is what tables are judged by.
+/// Slow, and without a domain: tables are compared with it.
 ///
 /// ```
 /// use carom::law::{Impact, LinearDashpot, Response, Rule};

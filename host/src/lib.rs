@@ -1,7 +1,7 @@
 //! What does `carom` offer on a workstation? Reads scenarios and cases; writes trajectories, tables and pictures.
 //!
-//! The library behind the program `carom`: the same scenario by several methods, the judge among them
-//! (`carom-reference`), the papers' figures, and the pictures. Everything the program does can be
+//! The library behind the program `carom`: the same scenario by several methods, the reference MD among
+//! them (`carom-reference`), the papers' figures, and the pictures. Everything the program does can be
 //! reached from here, which is how the tests reach it. With `default-features = false` it is the
 //! library alone, without command line and progress bars.
 
@@ -14,6 +14,7 @@ pub mod commands;
 pub mod compare;
 pub mod divergence;
 pub mod figure;
+pub mod heap_memory;
 pub mod integrated;
 pub mod method;
 pub mod output;
@@ -23,6 +24,5 @@ pub mod report;
 pub mod run;
 pub mod scale;
 pub mod scenario;
-pub mod storage;
 pub mod sweep;
 pub mod tables;

@@ -50,7 +50,7 @@ impl Draft {
         file.flush().with_context(cannot)?;
         drop(file);
         let name = temporary.to_path_buf();
-        temporary.persist(&target).map_err(|fault| fault.error).with_context(cannot)?;
+        temporary.persist(&target).map_err(|failed| failed.error).with_context(cannot)?;
         forget(&name);
         Ok(())
     }
@@ -109,9 +109,9 @@ pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.chain().any(|cause| {
         let direct = cause.downcast_ref::<io::Error>();
         let from_csv = || match cause.downcast_ref::<csv::Error>()?.kind() {
-            csv::ErrorKind::Io(fault) => Some(fault),
+            csv::ErrorKind::Io(error) => Some(error),
             _ => None,
         };
-        direct.or_else(from_csv).is_some_and(|fault| fault.kind() == io::ErrorKind::BrokenPipe)
+        direct.or_else(from_csv).is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
     })
 }

@@ -36,12 +36,12 @@ impl Progress {
     }
 
     /// So much is done in all.
-    pub(crate) fn reach(&self, done: u64) {
+    pub(crate) fn set(&self, done: u64) {
         self.0.set_position(done);
     }
 
-    /// A word on what is being done.
-    pub fn say(&self, message: impl Into<String>) {
+    /// A text on what is being done.
+    pub fn set_message(&self, message: impl Into<String>) {
         self.0.set_message(message.into());
     }
 }

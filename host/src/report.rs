@@ -1,6 +1,6 @@
 //! In which files does a run end up? Reads samples; writes CSV, extended XYZ and aligned text.
 
-use crate::method::Logged;
+use crate::method::LoggedEvent;
 use crate::output::Draft;
 use crate::run::Sample;
 use crate::scenario::{MethodName, Scenario, Side, Start};
@@ -116,19 +116,19 @@ impl Series {
 /// # Errors
 /// When it cannot be written.
 pub fn events_head(rows: &mut csv::Writer<Draft>) -> Result<()> {
-    Ok(rows.write_record(["time", "what", "grain", "partner", "plane"])?)
+    Ok(rows.write_record(["time", "event", "grain", "partner", "plane"])?)
 }
 
 /// The rows of an event log.
 ///
 /// # Errors
 /// When they cannot be written.
-pub fn write_events(rows: &mut csv::Writer<Draft>, events: &[Logged]) -> Result<()> {
+pub fn write_events(rows: &mut csv::Writer<Draft>, events: &[LoggedEvent]) -> Result<()> {
     let number = |number: Option<usize>| number.map_or_else(String::new, |n| n.to_string());
     for event in events {
         rows.write_record([
             format!("{:?}", event.time),
-            event.what.to_owned(),
+            event.kind.to_owned(),
             event.grain.to_string(),
             number(event.partner),
             number(event.plane),
@@ -188,7 +188,7 @@ fn extent(sample: &Sample, axis: usize) -> [f64; 2] {
 /// others flush right.
 ///
 /// # Errors
-/// What `sink` says.
+/// An error of `sink`.
 pub fn write_aligned(sink: &mut dyn Write, rows: &[Vec<String>], left: usize) -> Result<()> {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let length = |row: &Vec<String>, k: usize| row.get(k).map_or(0, |cell| cell.chars().count());

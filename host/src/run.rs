@@ -1,12 +1,12 @@
-//! How does one method get from start to end? Reads a method and a scenario; writes samples to whoever asks.
+//! How does one method get from start to end? Reads a method and a scenario; hands out samples.
 
-use crate::method::{Logged, Method};
+use crate::method::{LoggedEvent, Method};
 use crate::progress::Progress;
 use crate::scenario::{Placed, Scenario};
 use anyhow::Result;
 use std::time::{Duration, Instant};
 
-/// What a method says at one time.
+/// The state of a method at one time.
 #[derive(Clone, Debug)]
 pub struct Sample {
     /// The time (s).
@@ -20,10 +20,10 @@ pub struct Sample {
     /// Everything that was counted so far.
     pub statistics: Vec<(&'static str, u64)>,
     /// Events since the last sample, if a log was asked for.
-    pub events: Vec<Logged>,
+    pub events: Vec<LoggedEvent>,
 }
 
-/// When a run ends, and at what times it is looked at.
+/// When a run ends, and at what times it is sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
     /// Time between two samples.
@@ -68,23 +68,23 @@ impl Plan {
     }
 }
 
-/// Runs a method and hands each sample on; returns the seconds the method took, looking excluded.
+/// Runs a method and hands each sample on; returns the seconds the method took, sampling excluded.
 ///
 /// # Errors
-/// What the method says, or whoever gets the samples.
+/// An error of the method or of `each`.
 pub fn drive(
     method: &mut dyn Method,
     plan: &Plan,
     mut each: impl FnMut(&Sample) -> Result<()>,
 ) -> Result<f64> {
-    let progress = Shown::new(method.name().label(), plan);
+    let progress = RunProgress::new(method.name().label(), plan);
     let mut cost = Duration::ZERO;
     for number in 0.. {
         let time = plan.instant(number);
         let begin = Instant::now();
         method.advance_to(time)?;
         cost += begin.elapsed();
-        let sample = look(method, time);
+        let sample = take_sample(method, time);
         each(&sample)?;
         progress.show(&sample);
         if time >= plan.duration || sample.collisions >= plan.collisions {
@@ -94,7 +94,7 @@ pub fn drive(
     Ok(cost.as_secs_f64())
 }
 
-fn look(method: &mut dyn Method, time: f64) -> Sample {
+fn take_sample(method: &mut dyn Method, time: f64) -> Sample {
     Sample {
         time,
         grains: method.grains(),
@@ -106,7 +106,7 @@ fn look(method: &mut dyn Method, time: f64) -> Sample {
 }
 
 /// How much of a plan is done, on a progress bar.
-struct Shown {
+struct RunProgress {
     bar: Progress,
     begin: Instant,
     plan: Plan,
@@ -114,7 +114,7 @@ struct Shown {
 
 const PARTS: u64 = 10_000;
 
-impl Shown {
+impl RunProgress {
     fn new(label: &'static str, plan: &Plan) -> Self {
         Self { bar: Progress::of_method(label, PARTS), begin: Instant::now(), plan: *plan }
     }
@@ -127,7 +127,7 @@ impl Shown {
         };
         let seconds = self.begin.elapsed().as_secs_f64().max(1e-9);
         let rate = sample.collisions as f64 / seconds;
-        self.bar.say(format!("{} collisions, {rate:.0}/s", sample.collisions));
-        self.bar.reach((part * PARTS as f64) as u64);
+        self.bar.set_message(format!("{} collisions, {rate:.0}/s", sample.collisions));
+        self.bar.set((part * PARTS as f64) as u64);
     }
 }

@@ -87,7 +87,7 @@ impl Pair {
     }
 
     /// `l = R1 + R2`.
-    pub fn reach(&self) -> f64 {
+    pub fn contact_distance(&self) -> f64 {
         self.radii[0] + self.radii[1]
     }
 }
@@ -128,7 +128,7 @@ impl Impact {
     pub fn new(contact: &Contact, pair: &Pair, speed: f64, e: f64) -> Self {
         let cos = ((1.0 - e) * (1.0 + e)).sqrt();
         let scales = contact.scales(pair, speed * cos);
-        let eta = scales.length / pair.reach();
+        let eta = scales.length / pair.contact_distance();
         let groups = Groups { sin: e, cos, eta, c_dis: scales.c_dis };
         Self { groups, time: scales.time }
     }

@@ -157,7 +157,7 @@ fn certificates_are_json() {
     assert!(!tables.is_empty());
     for table in tables {
         assert!(table["bytes"].as_u64().expect("bytes") > 0, "{table}");
-        assert!(table["largest"]["eps_phi"].as_f64().expect("an error") < 0.1, "{table}");
+        assert!(table["max"]["eps_phi"].as_f64().expect("an error") < 0.1, "{table}");
         assert!(table["domain"]["c_dis_max"].as_f64().expect("a limit") > 0.0, "{table}");
     }
 }

@@ -99,13 +99,14 @@ fn emd_star_follows_md_and_emd_does_not() {
     let found = compare::summarise(&scenario, &start, &tracks).expect("a comparison");
     let rms = |method: MethodName| {
         let summary = found.methods.iter().find(|s| s.method == method).expect("the method");
-        let apart = summary.series.last().and_then(|point| point.apart).expect("a difference");
-        (summary.collisions, apart.rms / found.mean_radius)
+        let difference =
+            summary.series.last().and_then(|point| point.difference).expect("a difference");
+        (summary.collisions, difference.rms / found.mean_radius)
     };
-    let [(judged, _), (_, verlet), (_, emd), (counted, star)] =
+    let [(exact, _), (_, verlet), (_, emd), (counted, star)] =
         [MethodName::Exact, MethodName::Md, MethodName::Emd, MethodName::EmdStar].map(rms);
-    assert!(judged >= 10, "only {judged} collisions");
-    assert_eq!(judged, counted);
+    assert!(exact >= 10, "only {exact} collisions");
+    assert_eq!(exact, counted);
     assert!(star < 1e-4, "eMD* is off by {star} radii");
     assert!(emd > 1e-2, "eMD is off by {emd} radii only");
     assert!(star < verlet && verlet < emd, "{star} {verlet} {emd}");

@@ -6,18 +6,18 @@
 //! trajectories changes it; a change of compiler, optimisation or target must not.
 
 use carom::scalar::I32F32;
-use carom_scenes::replay::{Told, replay};
-use carom_scenes::{Event, Number, Scene};
+use carom_scenes::replay::{Selection, replay};
+use carom_scenes::{EventDigest, Number, Scene};
 
 const GOLDEN: &str = include_str!("golden.txt");
 
 /// The golden digests of one scene in one number type, in order.
-fn golden(scene: Scene, scalar: &str) -> impl Iterator<Item = Event> {
+fn golden(scene: Scene, scalar: &str) -> impl Iterator<Item = EventDigest> {
     let prefix = format!("{} {scalar} ", scene.name());
     GOLDEN.lines().filter_map(move |line| {
-        let (number, digest) = line.strip_prefix(&prefix)?.split_once(' ')?;
+        let (event, digest) = line.strip_prefix(&prefix)?.split_once(' ')?;
         let digest = u64::from_str_radix(digest, 16).unwrap();
-        Some(Event { number: number.parse().unwrap(), digest })
+        Some(EventDigest { event: event.parse().unwrap(), digest })
     })
 }
 
@@ -26,19 +26,19 @@ fn same<S: Number>(scene: Scene, last: u32) {
     let scalar = S::NAME;
     let mut wanted = golden(scene, scalar);
     let mut good = 0;
-    let mut compare = |event: Event| {
+    let mut compare = |found: EventDigest| {
         let name = scene.name();
         assert_eq!(
             wanted.next(),
-            Some(event),
+            Some(found),
             "{name} in {scalar} differs first between events {good} and {0}. Run `cargo run --release \
              --manifest-path examples/scenes/Cargo.toml --example replay -- {name} {scalar} {good} {0}` here \
              and with the older program, and compare: the first line that differs names the event",
-            event.number
+            found.event
         );
-        good = event.number;
+        good = found.event;
     };
-    replay::<S>(scene)(Told::thousandths(last), &mut compare).unwrap();
+    replay::<S>(scene)(Selection::every_thousandth(last), &mut compare).unwrap();
     assert_eq!(good, last);
 }
 

@@ -3,7 +3,7 @@
 use crate::gas::{elastic_spring, gas, length, rubber};
 use carom::law::{HardSphere, Outside, Rule, Soft};
 use carom::{Release, World};
-use carom_host::storage::HeapMemory;
+use carom_host::heap_memory::HeapMemory;
 use proptest::prelude::*;
 
 const HARD: HardSphere<f64> = HardSphere { restitution: 1.0 };

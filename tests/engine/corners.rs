@@ -1,4 +1,4 @@
-//! Do grains rest right where several planes meet? Reads grooves, corners and plates; compares energies and gaps.
+//! Do grains rest right where several planes intersect? Reads grooves, corners and plates; compares energies and gaps.
 
 use carom::law::HardSphere;
 use carom::space::{Plane, Surface, Vibration};

@@ -157,7 +157,7 @@ fn sixteen_bits_run_in_suitable_units() {
     assert!(p < worst && e.abs() < worst / 10.0, "{e:e} {p:e} of {worst:e}");
 }
 
-/// Two grains meet obliquely; their states after so long, as the second sees the first and the other way.
+/// Two grains collide obliquely; their states after so long, as the second sees the first and the other way.
 fn pair<S: Embedded>(turned: bool) -> [Grain<S, 2>; 2] {
     let sign = if turned { -1.0 } else { 1.0 };
     let grain = |s: f64| {
@@ -228,7 +228,7 @@ fn exact(limit: f64) -> impl Strategy<Value = f64> {
 
 proptest! {
     #[test]
-    fn spheres_meet_when_f64_says_so(
+    fn spheres_collide_when_they_do_in_f64(
         r in [exact(100.0), exact(100.0), exact(100.0)],
         v in [exact(2.0), exact(2.0), exact(2.0)],
         sigma in exact(50.0),

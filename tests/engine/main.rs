@@ -1,9 +1,9 @@
-//! Does the engine keep what it promises? Conservation, symmetry, time, faults and snapshots, for all inputs.
+//! Does the engine keep what it promises? Conservation, symmetry, time, errors and snapshots, for all inputs.
 
 mod conservation;
 mod contact;
 mod corners;
-mod faults;
+mod errors;
 mod fixed;
 mod gas;
 mod neighbours;
@@ -11,7 +11,7 @@ mod piles;
 mod plates;
 mod range;
 mod rest;
-mod saved;
+mod robustness;
+mod snapshot;
 mod symmetry;
 mod time;
-mod unbreakable;

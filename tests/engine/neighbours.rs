@@ -63,10 +63,10 @@ fn digests<S: Scalar, const D: usize, R: Rule<S>>(
     events: u64,
 ) -> (Vec<u64>, u64) {
     let mut memory = Heads::<S, D>::new(scene.grains.len(), heads);
-    let setup = World::builder(&mut memory).gravity(scene.gravity).rule(rule);
+    let builder = World::builder(&mut memory).gravity(scene.gravity).rule(rule);
     let sides = [[S::zero(), scene.side]; D];
-    let setup = if scene.periodic { setup.periodic(sides) } else { setup.walls(sides) };
-    let mut world = setup.grains(scene.grains.iter().copied()).unwrap().start().unwrap();
+    let builder = if scene.periodic { builder.periodic(sides) } else { builder.walls(sides) };
+    let mut world = builder.grains(scene.grains.iter().copied()).unwrap().start().unwrap();
     let mut digests = Vec::new();
     while world.statistics().events() < events {
         if world.statistics().events() >= 1_000 * digests.len() as u64 {

@@ -51,8 +51,8 @@ fn pile<const D: usize, const N: usize>(epsilon: f64, row: usize) {
     for i in 0..N {
         for k in 0..i {
             let (a, b) = (world.grain(i).unwrap(), world.grain(k).unwrap());
-            let apart = a.position - b.position;
-            let gap = apart.dot(&apart).sqrt() - a.radius - b.radius;
+            let separation = a.position - b.position;
+            let gap = separation.dot(&separation).sqrt() - a.radius - b.radius;
             assert!(gap > -1e-12, "{i} and {k} overlap: {gap:e}");
         }
     }
@@ -67,7 +67,7 @@ fn a_pile_comes_to_rest_as_one() {
 }
 
 /// One grain lies on another, which is shot away from under it. Whenever clocks are set back meanwhile,
-/// the upper one must look whether it is still held: the more elastic the grains, the more bounces before.
+/// the upper one must check whether it is still supported: the more elastic the grains, the more bounces before.
 fn shot_away<S: Scalar>(cases: u32) {
     const R: f64 = 1.0e-3;
     let s = S::from_f64;

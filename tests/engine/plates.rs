@@ -79,7 +79,7 @@ fn impacts<const D: usize>(case: &Case, most: u64) -> Result<u64, Error> {
     let shaker = Vibration::new(case.amplitude, case.frequency).starting_at(case.phase);
     let mut memory = Memory::<f64, D, 4>::new();
     let radius = 0.01;
-    let mut setup = World::builder(&mut memory)
+    let mut builder = World::builder(&mut memory)
         .plane(Plane::new(normal, 0.0, surface).vibrating(shaker))
         .gravity(gravity)
         .rule(rule);
@@ -89,9 +89,9 @@ fn impacts<const D: usize>(case: &Case, most: u64) -> Result<u64, Error> {
             *x = rng.random_range(-0.3..0.3) * radius;
         }
         at[up] = case.amplitude + radius * (1.0 + rng.random_range(0.0..1.0) + 3.5 * i as f64);
-        setup = setup.grain(Grain::with_mass(radius, 1e-3).at(at))?;
+        builder = builder.grain(Grain::with_mass(radius, 1e-3).at(at))?;
     }
-    let mut world = setup.start()?;
+    let mut world = builder.start()?;
     let depth = if case.soft { 0.2 * radius } else { 1e-12 * (1.0 + case.amplitude) };
     let mut events = 0_u64;
     while world.statistics().plane_collisions < most && events < 20 * most {
@@ -145,7 +145,7 @@ fn survive(total: u64, seed: u64) {
             1 => impacts::<2>(&case, 2_000),
             _ => impacts::<3>(&case, 2_000),
         };
-        count += found.unwrap_or_else(|fault| panic!("{fault}: {case:?}"));
+        count += found.unwrap_or_else(|error| panic!("{error}: {case:?}"));
         cases += 1;
     }
     println!("{count} impacts on {cases} plates");
@@ -194,7 +194,7 @@ proptest! {
 /// A grain between two plates that close in on it has nowhere to go: the loop must say so, and whom
 /// and when, in a bounded number of events. (Without any loss it takes 1/gap events to get so far.)
 #[test]
-fn a_grain_that_is_crushed_is_a_fault_that_names_it() {
+fn a_crushed_grain_is_an_error_that_names_it() {
     for restitution in [0.0, 0.5, 0.99] {
         let mut memory = Memory::<f64, 1, 1>::new();
         let hard = Surface::Hard(restitution);
@@ -206,16 +206,16 @@ fn a_grain_that_is_crushed_is_a_fault_that_names_it() {
             .unwrap()
             .start()
             .unwrap();
-        let fault = (0..1_000_000).find_map(|_| world.step().err());
-        let Some(Error::Stuck { grain: 0, at, .. }) = fault else {
-            panic!("{restitution}: {fault:?} {:?}", world.statistics())
+        let error = (0..1_000_000).find_map(|_| world.step().err());
+        let Some(Error::Stuck { grain: 0, at, .. }) = error else {
+            panic!("{restitution}: {error:?} {:?}", world.statistics())
         };
         // The gap is the grain's diameter when sin(2πt) = 1/2.
         assert!((at.as_f64() - 1.0 / 12.0).abs() < 1e-3, "{restitution}: {at}");
     }
 }
 
-/// Ten beads are enough for cells: who leaves one keeps its meeting, and must not forget the plate below.
+/// Ten beads are enough for cells: a bead that leaves one keeps its predicted collision, and must not miss the plate below.
 #[test]
 fn no_bead_of_a_thrown_column_falls_through_its_plate() {
     let mut memory = Memory::<f64, 1, 10>::new();

@@ -1,4 +1,4 @@
-//! What happens where a fixed-point number ends? Worlds too large, too fast or too late; compares faults and times.
+//! What happens where a fixed-point number ends? Worlds too large, too fast or too late; compares errors and times.
 
 use carom::law::{HardSphere, Outside, Soft, Viscoelastic};
 use carom::scalar::{I16F16, I32F32};
@@ -7,9 +7,9 @@ use carom::{Error, Grain, Instant, Memory, World};
 
 use crate::fixed::{n, rubber};
 
-/// The quantity that a fault names.
-fn named(fault: &Error) -> &'static str {
-    match fault {
+/// The quantity that an error names.
+fn named(error: &Error) -> &'static str {
+    match error {
         Error::Overflow { quantity, .. } => quantity,
         other => panic!("{other}"),
     }
@@ -46,15 +46,15 @@ fn what_does_not_fit_is_named_with_the_unit_to_choose() {
         ),
     ];
     for (grain, rule, quantity, unit) in cases {
-        let fault: Error = start(grain, rule, 0.0).unwrap_err();
-        let text = fault.to_string();
-        assert_eq!(named(&fault), quantity, "{text}");
+        let error: Error = start(grain, rule, 0.0).unwrap_err();
+        let text = error.to_string();
+        assert_eq!(named(&error), quantity, "{text}");
         assert!(text.contains(unit), "{text}");
     }
 }
 
 #[test]
-fn a_grain_that_leaves_the_range_is_a_fault_not_a_wrap() {
+fn a_grain_that_leaves_the_range_is_an_error_not_a_wrap() {
     let mut memory = Memory::<I16F16, 2, 1>::new();
     let mut world = World::builder(&mut memory)
         .gravity([n(0.0), n(-0.01)])
@@ -64,15 +64,15 @@ fn a_grain_that_leaves_the_range_is_a_fault_not_a_wrap() {
         .start()
         .unwrap();
     // y = −t²/200 is −4096, an eighth of the range, at t = 905.
-    let fault = (1..100).find_map(|k| world.advance_to(n::<I16F16>(50.0 * f64::from(k))).err());
-    let fault = fault.unwrap();
-    assert_eq!(named(&fault), "position", "{fault}");
+    let error = (1..100).find_map(|k| world.advance_to(n::<I16F16>(50.0 * f64::from(k))).err());
+    let error = error.unwrap();
+    assert_eq!(named(&error), "position", "{error}");
     let now = world.now().as_f64();
     assert!(now > 900.0 && now < 2_600.0, "{now}");
 }
 
 #[test]
-fn a_meeting_far_beyond_the_clock_s_range_comes_at_its_time() {
+fn a_collision_far_beyond_the_clock_s_range_happens_at_its_time() {
     // One step of speed is 2⁻¹⁶, so a gap of 3 takes 196,608 units, six times what the clock can count.
     let mut memory = Memory::<I16F16, 1, 2>::new();
     let mut world = World::builder(&mut memory)

@@ -38,7 +38,7 @@ fn ball<S: Scalar>(epsilon: f64, tolerance: f64) {
 }
 
 #[test]
-fn a_bouncing_ball_rests_when_the_closed_form_says() {
+fn a_bouncing_ball_rests_when_the_closed_form_has_it() {
     for epsilon in [0.0, 0.1, 0.5, 0.9, 0.99] {
         ball::<f64>(epsilon, 1e-6 / (1.0 - epsilon));
         ball::<f32>(epsilon, 4e-3 / (1.0 - epsilon));
@@ -131,7 +131,7 @@ fn grains_leave_a_plate_that_falls_away_faster_than_they_do() {
         let grain = world.grain(i).unwrap();
         assert!((grain.velocity[0] - speed).abs() < 1e-5);
     }
-    // They land together where the parabola meets the sine again.
+    // They land together where the parabola crosses the sine again.
     let flight = |t: f64| 0.5 * a0 + speed * t - 0.5 * G * t * t;
     let plate = |t: f64| a0 * (std::f64::consts::TAU * f * (leaves + t)).sin();
     let (mut low, mut high) = (0.02, 0.15);

@@ -4,7 +4,7 @@ use crate::gas::{damped_spring, gas};
 use carom::law::{Outside, Soft};
 use carom::scalar::Vector;
 use carom::{Grain, World};
-use carom_host::storage::HeapMemory;
+use carom_host::heap_memory::HeapMemory;
 use proptest::prelude::*;
 
 const LENGTH: f64 = 6.0;

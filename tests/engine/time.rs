@@ -1,10 +1,10 @@
-//! Is time in order, exact, and independent of who looks? Runs, long runs, and watched runs.
+//! Is time in order, exact, and independent of observers? Runs, long runs, and observed runs.
 
 use crate::gas::{damped_spring, elastic_spring, gas, length};
 use carom::law::{HardSphere, Outside, Soft};
 use carom::world::Event;
 use carom::{Grain, Instant, Memory, Observer, Scalar, View, World};
-use carom_host::storage::HeapMemory;
+use carom_host::heap_memory::HeapMemory;
 
 /// An elastic ball between two hard walls, one length apart: it hits one of them every unit of time.
 /// Returns the largest deviation of the interval between hits, over `hits` of them.
@@ -81,8 +81,8 @@ impl Observer<f64, 3> for InOrder {
 }
 
 #[test]
-fn events_come_in_order_and_watching_changes_nothing() {
-    let run = |steps: u32, watched: bool| {
+fn events_come_in_order_and_observing_changes_nothing() {
+    let run = |steps: u32, observed: bool| {
         let mut storage = HeapMemory::new(30);
         let mut world = World::builder(&mut storage)
             .periodic([[0.0, 6.0]; 3])
@@ -91,21 +91,21 @@ fn events_come_in_order_and_watching_changes_nothing() {
             .unwrap()
             .start()
             .unwrap();
-        let mut watch = InOrder { last: Instant::START, befores: 0, afters: 0 };
+        let mut observer = InOrder { last: Instant::START, befores: 0, afters: 0 };
         for n in 1..=steps {
             let t = 20.0 * f64::from(n) / f64::from(steps);
-            if watched {
-                world.advance_observed(t, &mut watch).unwrap();
+            if observed {
+                world.advance_observed(t, &mut observer).unwrap();
             } else {
                 world.advance_to(t).unwrap();
             }
         }
-        assert!(watch.befores == watch.afters && (!watched || watch.befores > 100));
+        assert!(observer.befores == observer.afters && (!observed || observer.befores > 100));
         (world.digest(), *world.statistics())
     };
     let once = run(1, false);
     assert_eq!(once, run(977, false), "the number of calls must not matter");
-    assert_eq!(once, run(100, true), "watching must not matter");
+    assert_eq!(once, run(100, true), "observing must not matter");
 }
 
 /// Stable detection (BSFP14): between events no pair that overlaps gets closer, whatever the rule did.
@@ -125,12 +125,12 @@ fn no_overlap_gets_deeper_in_free_flight() {
         for a in 0..30 {
             for b in 0..a {
                 let (ga, gb) = (view.grain(a).unwrap(), view.grain(b).unwrap());
-                let reach = ga.radius + gb.radius;
-                let apart = view.separation(a, b).unwrap();
+                let contact_distance = ga.radius + gb.radius;
+                let separation = view.separation(a, b).unwrap();
                 assert!(
-                    length(&apart) > reach * (1.0 - 1e-12),
+                    length(&separation) > contact_distance * (1.0 - 1e-12),
                     "{a} and {b}: {:e}",
-                    length(&apart) / reach - 1.0
+                    length(&separation) / contact_distance - 1.0
                 );
             }
         }

@@ -45,7 +45,7 @@ fn scenarios_from_text_hold() {
 /// Found by hand: such a number of grains ended in a panic of the allocator.
 #[test]
 fn too_many_grains_are_refused() {
-    let file = "tests/data/fuzz/scenario/hand-too-many.toml";
+    let file = "tests/data/fuzz/scenario/manual-too-many.toml";
     let text = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
     let why = body::scenario::run(&text).unwrap_err().to_string();
     assert_eq!(why, "gas.count is 9000000000000000000, must be from 1 to 100000000");

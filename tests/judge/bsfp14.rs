@@ -1,6 +1,6 @@
 //! Do we get what Bannerman et al. (Comput. Part. Mech. 1, 191, 2014) got? Bouncing balls and gases against the closed form and the paper.
 
-use carom_host::figure::bsfp14::ball::{self, Way, t_final};
+use carom_host::figure::bsfp14::ball::{self, Variant, t_final};
 use carom_host::figure::bsfp14::gas;
 use carom_host::figure::hard::Fluid;
 
@@ -15,7 +15,7 @@ fn plates() -> impl Iterator<Item = f64> {
 /// by the last place of its position, √(2·2⁻⁵²/g) (1 + ε)/(1 − ε) ≈ 2e-8, twice for impact and rebound.
 #[test]
 fn the_stable_rule_brings_the_ball_to_rest_on_every_plate() {
-    for way in Way::all().into_iter().filter(|way| way.stable) {
+    for way in Variant::all().into_iter().filter(|way| way.stable) {
         for plate in plates() {
             let end = ball::drop_on(plate, way);
             assert!(!end.halted && (end.time - t_final()).abs() < 4e-8, "{way:?} {plate} {end:?}");
@@ -38,7 +38,7 @@ fn the_engine_brings_the_ball_to_rest_on_every_plate() {
 #[test]
 fn naive_detection_halts_on_a_share_of_the_plates() {
     let mut shares = Vec::new();
-    for way in Way::all().into_iter().filter(|way| !way.stable) {
+    for way in Variant::all().into_iter().filter(|way| !way.stable) {
         let ends = plates().map(|plate| ball::drop_on(plate, way)).filter(|end| end.halted);
         let impacts: Vec<u32> = ends.map(|end| end.impacts).collect();
         assert!(impacts.iter().all(|n| (24..40).contains(n)), "{way:?}");

@@ -1,9 +1,9 @@
 //! How far is eMD* from force-based MD in a gas of ten grains? Reads the study of the host; checks its errors.
 
-use carom_host::divergence::{Errors, Way, study};
+use carom_host::divergence::{Errors, Variant, study};
 
-fn largest(errors: &Errors, collision: usize) -> f64 {
-    errors.largest(collision).unwrap_or(0.0)
+fn max(errors: &Errors, collision: usize) -> f64 {
+    errors.max(collision).unwrap_or(0.0)
 }
 
 fn median(errors: &Errors, collision: usize) -> f64 {
@@ -16,7 +16,7 @@ fn check(seeds: std::ops::Range<u64>) {
     let [integrated, table, hard] = &all[..] else { panic!() };
     assert_eq!(
         (integrated.way, table.way, hard.way),
-        (Way::Integrated, Way::Table, Way::HardSphere)
+        (Variant::Integrated, Variant::Table, Variant::HardSphere)
     );
     for k in 0..10 {
         println!(
@@ -24,19 +24,19 @@ fn check(seeds: std::ops::Range<u64>) {
             k + 1,
             integrated.by_collision[k].len(),
             median(integrated, k),
-            largest(integrated, k),
+            max(integrated, k),
             median(table, k),
             median(hard, k)
         );
-        assert!(largest(integrated, k) < 1e-6, "collision {}: {:e}", k + 1, largest(integrated, k));
+        assert!(max(integrated, k) < 1e-6, "collision {}: {:e}", k + 1, max(integrated, k));
     }
     assert!(integrated.by_collision[0].len() > runs * 3 / 4);
     // The table starts at its certificate: an angle wrong by the certified error, carried to the sample
     // just after the contact, displaces by no more than the same fraction of l, and so does the rest.
     let certificate = carom::law::embedded::viscoelastic().certificate.largest;
     let promised = certificate.angle + certificate.separation + certificate.speed + certificate.tau;
-    assert!(largest(table, 0) < promised, "{:e} against {promised:e}", largest(table, 0));
-    assert!(median(hard, 0) > 100.0 * largest(table, 0).max(1e-9));
+    assert!(max(table, 0) < promised, "{:e} against {promised:e}", max(table, 0));
+    assert!(median(hard, 0) > 100.0 * max(table, 0).max(1e-9));
 }
 
 #[test]

@@ -4,10 +4,13 @@ use carom_host::figure::hard::{Fluid, Mean, Plan, measure, pressure};
 
 /// Within a share of the published value, and measured to a fifth of that: the tolerance is no cover for noise.
 fn agrees(what: &str, Mean { value, error }: Mean, published: f64, within: f64) {
-    let apart = value / published - 1.0;
-    println!("{what}: {value:.5} ± {error:.5}, published {published:.5}: {:+.3} %", 100.0 * apart);
+    let difference = value / published - 1.0;
+    println!(
+        "{what}: {value:.5} ± {error:.5}, published {published:.5}: {:+.3} %",
+        100.0 * difference
+    );
     assert!(error < 0.2 * within * published, "{what}: {error} is too large an error");
-    assert!(apart.abs() < within, "{what}: {value} instead of {published}");
+    assert!(difference.abs() < within, "{what}: {value} instead of {published}");
 }
 
 /// 500 spheres for 240 collisions a grain: statistics leave an error of about 0.4 %, and 3 % is asked for.

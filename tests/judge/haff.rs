@@ -2,7 +2,7 @@
 
 use carom::law::HardSphere;
 use carom::{Grain, World};
-use carom_host::storage::HeapMemory;
+use carom_host::heap_memory::HeapMemory;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

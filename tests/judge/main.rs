@@ -2,10 +2,10 @@
 
 mod bsfp14;
 mod divergence;
-mod fig6;
 mod fluid;
 mod haff;
 mod l94;
 mod mp13;
+mod mp13_fig6;
 mod shaken;
 mod soak;

@@ -1,12 +1,12 @@
-//! Do pressure and self-diffusion come out right (MP13, and what it leaves open)? One contact, hard spheres, and MD are the judges.
+//! Do pressure and self-diffusion come out right (MP13, and what it leaves open)? Compares with one contact, hard spheres, and MD.
 
 use carom::law::{Outside, Soft, Viscoelastic};
 use carom::{Grain, World};
 use carom_host::figure::fit;
 use carom_host::figure::hard::pressure;
 use carom_host::figure::mp13::gas::{POISSON, SoftGas};
-use carom_host::figure::mp13::measure::{Effort, Flux, Measured, Way, enskog, measure};
-use carom_host::storage::HeapMemory;
+use carom_host::figure::mp13::measure::{Effort, Flux, Measured, Variant, enskog, measure};
+use carom_host::heap_memory::HeapMemory;
 use carom_reference::{Boundary, End, ForceLaw, System, Verlet, VerletOptions};
 
 const RADIUS: f64 = 0.1;
@@ -30,9 +30,9 @@ fn a_contact_adds_its_virial() {
     let mut storage = HeapMemory::<f64, 3>::new(2);
     let half = 0.5 * SIDE;
     let grain = |(r, v)| Grain::with_mass(RADIUS, MASS).at(r).moving(v);
-    let setup = World::builder(&mut storage).periodic([[-half, half]; 3]);
+    let builder = World::builder(&mut storage).periodic([[-half, half]; 3]);
     let rule = Soft::viscoelastic(law, Outside::Reject);
-    let mut world = setup.rule(rule).grains(STARTS.map(grain)).unwrap().start().unwrap();
+    let mut world = builder.rule(rule).grains(STARTS.map(grain)).unwrap().start().unwrap();
     let (energy, mut flux) = (world.view().kinetic_energy(), Flux::default());
     world.advance_observed(UNTIL, &mut flux).unwrap();
     assert_eq!((world.statistics().collisions, world.statistics().releases), (1, 2));
@@ -45,7 +45,7 @@ fn a_contact_adds_its_virial() {
     assert!((by_force / change - 1.0).abs() < 1e-3, "MD: {by_force} {change}");
 }
 
-/// The same sum by MD, its kinetic part from 15,000 looks.
+/// The same sum by MD, its kinetic part from 15,000 samples.
 fn by_force(law: Viscoelastic<f64>) -> f64 {
     let grain = |(position, velocity)| carom_reference::Grain {
         radius: RADIUS,
@@ -58,11 +58,11 @@ fn by_force(law: Viscoelastic<f64>) -> f64 {
     let law = ForceLaw::Viscoelastic { young: law.young, poisson: POISSON, dissipation: 0.0 };
     let options = VerletOptions { steps_per_contact: 500.0, ..VerletOptions::default() };
     let mut run = Verlet::new(&system, law, End::Force, options).unwrap();
-    let (mut moving, looks) = (0.0, 15_000);
-    for look in 1..=looks {
-        run.advance_to(UNTIL * f64::from(look) / f64::from(looks)).unwrap();
+    let (mut moving, samples) = (0.0, 15_000);
+    for sample in 1..=samples {
+        run.advance_to(UNTIL * f64::from(sample) / f64::from(samples)).unwrap();
         let square = |i: usize| run.velocity(i).iter().map(|v| v * v).sum::<f64>();
-        moving += MASS * (square(0) + square(1)) * UNTIL / f64::from(looks);
+        moving += MASS * (square(0) + square(1)) * UNTIL / f64::from(samples);
     }
     moving + run.virial()
 }
@@ -84,7 +84,7 @@ fn over_seeds(seeds: u64, one: impl Fn(u64) -> Measured) -> [[f64; 2]; 2] {
 fn emd_has_the_pressure_and_self_diffusion_of_hard_spheres() {
     let effort = Effort { settle: 5.0, measure: 30.0, steps: 50.0 };
     let [diffusion, pressure] =
-        over_seeds(4, |seed| measure(&gas(256, 0.1, 1e9, seed), Way::Emd, effort).unwrap());
+        over_seeds(4, |seed| measure(&gas(256, 0.1, 1e9, seed), Variant::Emd, effort).unwrap());
     let z = pressure::carnahan_starling(0.1);
     let [_, d] = enskog(0.1);
     println!("D/Enskog {:?}, Z/CS {:?}", diffusion.map(|x| x / d), pressure.map(|x| x / z));
@@ -98,7 +98,7 @@ fn emd_has_the_pressure_and_self_diffusion_of_hard_spheres() {
 #[ignore = "a minute: run with --release"]
 fn emd_star_has_the_pressure_and_self_diffusion_of_md() {
     let effort = Effort { settle: 10.0, measure: 50.0, steps: 50.0 };
-    let [emd, star, md] = Way::ALL.map(|way| {
+    let [emd, star, md] = Variant::ALL.map(|way| {
         let found = over_seeds(6, |seed| measure(&gas(500, 0.01, 1e7, seed), way, effort).unwrap());
         println!("{}: {found:?}", way.name());
         found

@@ -11,7 +11,7 @@ struct Points {
     at: Vec<f64>,
     velocity: Vec<f64>,
     now: f64,
-    /// When the lowest meets the plate, if nothing comes between.
+    /// When the lowest hits the plate, if nothing comes between.
     plate: f64,
 }
 
@@ -28,11 +28,11 @@ impl Points {
         let at = (1..=column.beads).map(|k| k as f64 * column.gap).collect();
         let mut points =
             Self { at, velocity: vec![0.0; column.beads], now: 0.0, plate: f64::INFINITY };
-        points.plate = points.meets_plate(column);
+        points.plate = points.plate_impact(column);
         points
     }
 
-    fn meets_plate(&self, column: &Shaken) -> f64 {
+    fn plate_impact(&self, column: &Shaken) -> f64 {
         let gap = |t: f64| {
             let height = self.at[0] + t * (self.velocity[0] - 0.5 * GRAVITY * t);
             height - column.amplitude * (TAU * column.frequency * (self.now + t)).sin()
@@ -52,8 +52,8 @@ impl Points {
         self.now + high
     }
 
-    /// The first meeting of two neighbours: their distance changes evenly.
-    fn meeting(&self) -> (f64, usize) {
+    /// The first collision of two neighbours: their distance changes evenly.
+    fn collision(&self) -> (f64, usize) {
         let of = |k: usize| {
             let approach = self.velocity[k] - self.velocity[k + 1];
             let t = if approach > 0.0 {
@@ -79,12 +79,12 @@ impl Points {
     fn advance(&mut self, column: &Shaken, until: f64) {
         let [pair, wall] = restitution(column.restitution);
         loop {
-            let (meeting, k) = self.meeting();
-            if meeting.min(self.plate) > until {
+            let (collision, k) = self.collision();
+            if collision.min(self.plate) > until {
                 return self.fly(until);
             }
-            if meeting < self.plate {
-                self.fly(meeting);
+            if collision < self.plate {
+                self.fly(collision);
                 let (a, b) = (self.velocity[k], self.velocity[k + 1]);
                 let change = 0.5 * (1.0 + pair) * (a - b);
                 (self.velocity[k], self.velocity[k + 1]) = (a - change, b + change);
@@ -94,8 +94,8 @@ impl Points {
                 let plate = column.amplitude * omega * (omega * self.now).cos();
                 self.velocity[0] = plate - wall * (self.velocity[0] - plate);
             }
-            if meeting >= self.plate || k == 0 {
-                self.plate = self.meets_plate(column);
+            if collision >= self.plate || k == 0 {
+                self.plate = self.plate_impact(column);
             }
         }
     }
@@ -107,7 +107,7 @@ impl Points {
 
 /// As long as chaos allows, bead by bead: a rounding of 1e-16 grows to 1e-8 in some 30 collisions.
 #[test]
-fn the_engine_shakes_a_column_as_an_event_loop_of_a_page_does() {
+fn the_engine_shakes_a_column_as_a_simple_event_loop_does() {
     let column = shaken::column(5.0, 3);
     let times: Vec<f64> = (1..=60).map(|k| 0.005 * f64::from(k)).collect();
     let (rows, statistics) = column.by_ed(&times).unwrap();
@@ -116,8 +116,8 @@ fn the_engine_shakes_a_column_as_an_event_loop_of_a_page_does() {
         points.advance(&column, *t);
         for (k, height) in row.iter().enumerate() {
             let rod = (k as f64 + 0.5) * column.diameter;
-            let apart = (height - rod - points.at[k]).abs();
-            assert!(apart < 1e-7 * column.amplitude, "t = {t}, bead {k}: {apart:e}");
+            let difference = (height - rod - points.at[k]).abs();
+            assert!(difference < 1e-7 * column.amplitude, "t = {t}, bead {k}: {difference:e}");
         }
     }
     assert!(statistics.collisions + statistics.plane_collisions > 20, "{statistics:?}");

@@ -1,30 +1,30 @@
 //! Can a dissipative gas break the event loop? Runs it for many collisions; checks time, overlaps and counts.
 
-use carom_host::figure::hard::{Fluid, Overlaps, Pace, Run};
+use carom_host::figure::hard::{Fluid, Overlaps, Run, RunState};
 
 /// Runs a gas and checks that time never went back and no overlap became deeper than rounding makes it.
-fn soak(grains: usize, restitution: f64, collisions: u64) -> Pace {
+fn soak(grains: usize, restitution: f64, collisions: u64) -> RunState {
     let fluid = Fluid { restitution, ..Fluid::elastic(grains, 0.5) };
     let mut gas = Run::new(fluid, fluid.equilibrium::<3>(10).unwrap());
     let mut overlaps = Overlaps::new(grains);
     gas.run(collisions, &mut overlaps, |_| Ok(())).unwrap();
-    let pace = gas.pace;
-    println!("ε = {restitution}: {pace:?}");
+    let state = gas.state;
+    println!("ε = {restitution}: {state:?}");
     println!("  deepest {:.1e}, deepening {:.1e}", -overlaps.deepest, overlaps.decrease);
-    assert_eq!(pace.collisions, collisions);
-    assert_eq!(pace.backward, 0, "negative time steps");
+    assert_eq!(state.collisions, collisions);
+    assert_eq!(state.backward, 0, "negative time steps");
     // Positions are rounded to 2⁻⁵² of half a box, which is some five diameters long.
     assert!(-overlaps.deepest < 2e-14, "an overlap of {:e}", -overlaps.deepest);
     assert!(overlaps.decrease < 1e-14, "an overlap became deeper by {:e}", overlaps.decrease);
-    pace
+    state
 }
 
 #[test]
 fn a_gas_cools_without_end() {
-    let pace = soak(108, 0.9, 30_000);
+    let state = soak(108, 0.9, 30_000);
     // Haff: ln E falls by (1 − ε²)/3 a collision of a grain at first, later more slowly; after 560 of
     // them a grain the energy has long fallen by the 2^40 at which the unit of time changes.
-    assert!(pace.units >= 1, "{} units of time", pace.units);
+    assert!(state.units >= 1, "{} units of time", state.units);
 }
 
 #[test]
@@ -36,8 +36,8 @@ fn a_gas_clusters() {
 #[test]
 fn a_gas_of_putty_does_not_stop_time() {
     for restitution in [0.0, 0.1, 0.2] {
-        let pace = soak(108, restitution, 10_000);
-        assert!(pace.time > 0.1, "{}", pace.time);
+        let state = soak(108, restitution, 10_000);
+        assert!(state.time > 0.1, "{}", state.time);
     }
 }
 

@@ -7,14 +7,14 @@ const scalars = ["f32", "f64", "I32F32"];
 const { instance } = await WebAssembly.instantiate(await readFile(path));
 const { run, digest } = instance.exports;
 
-function tell(scene, scalar, from, last, every) {
+function print(scene, scalar, from, last, every) {
   const count = run(scenes.indexOf(scene), scalars.indexOf(scalar), from, last, every);
-  if (count < 0) throw new Error(`${scene} in ${scalar}: a fault`);
+  if (count < 0) throw new Error(`${scene} in ${scalar}: an error`);
   for (let i = 0; i < count; i++) {
     const hex = BigInt.asUintN(64, digest(i)).toString(16).padStart(16, "0");
     console.log(`${scene} ${scalar} ${from + (i + 1) * every} ${hex}`);
   }
 }
 
-if (scene) tell(scene, scalar, Number(from), Number(last), 1);
-else for (const one of scenes) for (const kind of scalars) tell(one, kind, 0, 10_000, 1000);
+if (scene) print(scene, scalar, Number(from), Number(last), 1);
+else for (const one of scenes) for (const kind of scalars) print(one, kind, 0, 10_000, 1000);

@@ -6,17 +6,17 @@
 use std::error::Error;
 
 use carom::scalar::I32F32;
-use carom_scenes::replay::{Told, replay};
-use carom_scenes::{Event, Scene};
+use carom_scenes::replay::{Selection, replay};
+use carom_scenes::{EventDigest, Scene};
 
-fn scalar(name: &str, scene: Scene, told: Told) -> Result<(), Box<dyn Error>> {
-    let mut tell = |Event { number, digest }: Event| {
-        println!("{} {name} {number} {digest:016x}", scene.name());
+fn scalar(name: &str, scene: Scene, selection: Selection) -> Result<(), Box<dyn Error>> {
+    let mut report = |EventDigest { event, digest }: EventDigest| {
+        println!("{} {name} {event} {digest:016x}", scene.name());
     };
     match name {
-        "f32" => replay::<f32>(scene)(told, &mut tell)?,
-        "f64" => replay::<f64>(scene)(told, &mut tell)?,
-        "I32F32" => replay::<I32F32>(scene)(told, &mut tell)?,
+        "f32" => replay::<f32>(scene)(selection, &mut report)?,
+        "f64" => replay::<f64>(scene)(selection, &mut report)?,
+        "I32F32" => replay::<I32F32>(scene)(selection, &mut report)?,
         _ => return Err(format!("{name}: the scalars are f32, f64, I32F32").into()),
     }
     Ok(())
@@ -26,12 +26,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     if let [scene, name, from, last] = words.as_slice() {
         let scene = Scene::ALL.into_iter().find(|s| s.name() == scene).ok_or("no such scene")?;
-        return scalar(name, scene, Told::each(from.parse()?, last.parse()?));
+        return scalar(name, scene, Selection::each(from.parse()?, last.parse()?));
     }
     let last = words.first().map_or(Ok(10_000), |word| word.parse())?;
     for scene in Scene::ALL {
         for name in ["f32", "f64", "I32F32"] {
-            scalar(name, scene, Told::thousandths(last))?;
+            scalar(name, scene, Selection::every_thousandth(last))?;
         }
     }
     Ok(())

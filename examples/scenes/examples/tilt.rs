@@ -29,7 +29,7 @@ impl Board for Terminal {
 fn played<S: Number>(table: &'static Table<S::Stored>, shown: bool) -> Result<(), Error> {
     let mut memory = tilt::memory::<S>();
     let mut world = tilt::tilt_box(&mut memory, table)?;
-    tilt::play(&mut world, &mut Terminal { shown })?;
+    tilt::run_script(&mut world, &mut Terminal { shown })?;
     println!("{} {:016x} {:?}", S::NAME, world.digest(), world.statistics());
     Ok(())
 }

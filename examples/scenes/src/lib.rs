@@ -8,8 +8,8 @@
 pub mod measure;
 pub mod replay;
 pub mod scene;
-pub mod stepped;
 pub mod tilt;
+pub mod time_stepped;
 
-pub use replay::Event;
+pub use replay::EventDigest;
 pub use scene::{Number, Scene};

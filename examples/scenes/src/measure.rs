@@ -1,11 +1,11 @@
-//! How many instructions does the tilt box take? Reads a board's counter; writes what each method took.
+//! How many instructions does the tilt box take? Reads a board's instruction counter; writes what each method took.
 
 use carom::law::embedded::read::{Groups, Table};
 use carom::{Error, Grain, Storage};
 
 use crate::scene::{Number, n};
-use crate::stepped::Stepped;
 use crate::tilt::{self, BETWEEN_READINGS, Board, GRAINS, READINGS, tilt_box};
+use crate::time_stepped::TimeStepped;
 
 /// What a run took.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub struct Cost {
 /// The tilt box event by event, that many readings of the script, without sleep and without pictures.
 ///
 /// # Errors
-/// Any fault of the engine.
+/// Any error of the engine.
 pub fn event_driven<S: Number>(
     memory: &mut impl Storage<S, 2>,
     table: &'static Table<S::Stored>,
@@ -47,21 +47,21 @@ pub fn event_driven<S: Number>(
 /// ε to 2·10⁻⁴, about as the compact table.
 const STEPS: u32 = 5000;
 
-/// Of the script, by time steps: its instructions, told from so many steps.
+/// The instructions of the whole script by time steps, extrapolated from so many of them.
 ///
 /// They begin with the box as the event-driven run has it after so many readings, so that the
 /// grains lie as they usually do.
 ///
 /// # Errors
-/// Any fault of the engine.
+/// Any error of the engine.
 #[inline(never)]
-pub fn stepped<S: Number>(
+pub fn time_stepped<S: Number>(
     table: &'static Table<S::Stored>,
     readings: u32,
     steps: u32,
     board: &mut impl Board,
 ) -> Result<u64, Error> {
-    let mut run = Stepped::<S>::new(&after(table, readings, board)?, n(1.0 / f64::from(STEPS)));
+    let mut run = TimeStepped::<S>::new(&after(table, readings, board)?, n(1.0 / f64::from(STEPS)));
     run.tilt(readings);
     let start = board.instructions();
     for _ in 0..steps {
@@ -90,7 +90,7 @@ fn after<S: Number>(
     Ok(core::array::from_fn(|k| world.grain(k).unwrap_or_else(|| tilt::site(k as u32))))
 }
 
-/// One reading of a table, the mean over 64 places in its domain.
+/// One lookup in a table, the mean over 64 places in its domain.
 #[inline(never)]
 pub fn lookup<S: Number>(table: &'static Table<S::Stored>, board: &mut impl Board) -> u64 {
     let places: [Groups<S>; 64] = core::array::from_fn(|k| {

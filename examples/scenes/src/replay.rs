@@ -5,34 +5,34 @@ use carom::{Error, Instant, Memory, Scalar, World};
 
 use crate::scene::{self, Number, Scene};
 
-/// A state after so many events.
+/// The digest of the state after so many events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Event {
+pub struct EventDigest {
     /// How many events have happened.
-    pub number: u32,
+    pub event: u32,
     /// The digest of the state after them.
     pub digest: u64,
 }
 
-/// Which events are told.
+/// After which events the digest is reported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Told {
+pub struct Selection {
     /// The last event; the run ends after it.
     pub last: u32,
-    /// Of all events after `from`, each whose number is a multiple of this is told.
+    /// Of all events after `from`, those whose number is a multiple of this are reported.
     pub every: u32,
-    /// Up to this event nothing is told.
+    /// Nothing is reported up to this event.
     pub from: u32,
 }
 
-impl Told {
-    /// Each thousandth of so many.
+impl Selection {
+    /// Every thousandth event up to `last`.
     #[must_use]
-    pub fn thousandths(last: u32) -> Self {
+    pub fn every_thousandth(last: u32) -> Self {
         Self { last, every: 1000, from: 0 }
     }
 
-    /// Each of those after `from` up to `last`.
+    /// Every event after `from` up to `last`.
     #[must_use]
     pub fn each(from: u32, last: u32) -> Self {
         Self { last, every: 1, from }
@@ -40,7 +40,7 @@ impl Told {
 }
 
 /// How a scene is run in one number type.
-pub type Run = fn(Told, &mut dyn FnMut(Event)) -> Result<(), Error>;
+pub type Run = fn(Selection, &mut dyn FnMut(EventDigest)) -> Result<(), Error>;
 
 /// How this scene is run in this number type. A program that names only some of them carries only
 /// their code and tables.
@@ -54,53 +54,65 @@ pub fn replay<S: Number>(scene: Scene) -> Run {
     }
 }
 
-/// Runs [`Scene::Fig6`] and tells the digests.
+/// Runs [`Scene::Fig6`] and reports the digests.
 ///
 /// # Errors
-/// Any fault of the engine, or [`Error::Full`] if the scene comes to an end before its last event.
-pub fn fig6<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Error> {
+/// Any error of the engine, or [`Error::Full`] if the scene comes to an end before its last event.
+pub fn fig6<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 2>::new();
-    run(&mut scene::fig6(&mut memory)?, told, tell)
+    run(&mut scene::fig6(&mut memory)?, selection, report)
 }
 
-/// Runs [`Scene::Box16`] and tells the digests.
+/// Runs [`Scene::Box16`] and reports the digests.
 ///
 /// # Errors
 /// As [`fig6`].
-pub fn box16<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Error> {
+pub fn box16<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 16>::new();
-    turning(&mut scene::box16(&mut memory)?, told, tell)
+    turning(&mut scene::box16(&mut memory)?, selection, report)
 }
 
-/// Runs [`Scene::Gas32`] and tells the digests.
+/// Runs [`Scene::Gas32`] and reports the digests.
 ///
 /// # Errors
 /// As [`fig6`].
-pub fn gas32<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Error> {
+pub fn gas32<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
     let mut memory = Memory::<S, 3, 32>::new();
-    run(&mut scene::gas32(&mut memory)?, told, tell)
+    run(&mut scene::gas32(&mut memory)?, selection, report)
 }
 
-/// Runs [`Scene::Column10`] and tells the digests.
+/// Runs [`Scene::Column10`] and reports the digests.
 ///
 /// # Errors
 /// As [`fig6`].
-pub fn column10<S: Number>(told: Told, tell: &mut dyn FnMut(Event)) -> Result<(), Error> {
+pub fn column10<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
     let mut memory = Memory::<S, 1, 10>::new();
-    run(&mut scene::column10(&mut memory)?, told, tell)
+    run(&mut scene::column10(&mut memory)?, selection, report)
 }
 
 /// Steps through all events.
 fn run<S: Scalar, const D: usize, R: Rule<S>>(
     world: &mut World<'_, S, D, R>,
-    told: Told,
-    tell: &mut dyn FnMut(Event),
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
-    for number in 1..=told.last {
+    for number in 1..=selection.last {
         if world.step()?.is_none() {
             return Err(ended(number));
         }
-        told.look(number, world, tell);
+        selection.report(number, world, report);
     }
     Ok(())
 }
@@ -108,19 +120,19 @@ fn run<S: Scalar, const D: usize, R: Rule<S>>(
 /// Steps through all events, turning gravity by a quarter every [`scene::QUARTER`] milliseconds.
 fn turning<S: Scalar, R: Rule<S>>(
     world: &mut World<'_, S, 2, R>,
-    told: Told,
-    tell: &mut dyn FnMut(Event),
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
     let (mut number, mut quarters) = (0, 0);
-    while number < told.last {
+    while number < selection.last {
         let turn = Instant::from(f64::from(scene::QUARTER) * f64::from(quarters + 1));
         if world.next_event_time().is_some_and(|next| next < turn) {
             world.step()?;
             number += 1;
-            told.look(number, world, tell);
+            selection.report(number, world, report);
         } else {
             quarters += 1;
-            // A void event may have been the next one, and the one after it later than the turn.
+            // A stale event may have been the next one, and the one after it later than the turn.
             world.advance_to(turn.max(world.now()))?;
             world.set_gravity(scene::turned(quarters))?;
         }
@@ -128,15 +140,15 @@ fn turning<S: Scalar, R: Rule<S>>(
     Ok(())
 }
 
-impl Told {
-    fn look<S: Scalar, const D: usize, R>(
+impl Selection {
+    fn report<S: Scalar, const D: usize, R>(
         self,
         number: u32,
         world: &World<'_, S, D, R>,
-        tell: &mut dyn FnMut(Event),
+        report: &mut dyn FnMut(EventDigest),
     ) {
         if number > self.from && number.is_multiple_of(self.every.max(1)) {
-            tell(Event { number, digest: world.digest() });
+            report(EventDigest { event: number, digest: world.digest() });
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Which scenes are replayed? Reads nothing; writes a world into lent memory.
+//! Which scenes are replayed? Reads nothing; builds a world in borrowed memory.
 
 use carom::law::embedded::{self, Embedded, read::Table};
 use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic};
@@ -9,7 +9,7 @@ use carom::{Error, Grain, Scalar, Storage, World};
 /// The scenes that every target replays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scene {
-    /// The soft pair of MP13's Fig. 6, in a periodic box so that it meets again and again.
+    /// The soft pair of MP13's Fig. 6, in a periodic box so that it collides again and again.
     Fig6,
     /// Sixteen viscoelastic grains in a 2D box under gravity, which turns by a quarter now and then.
     Box16,

@@ -11,7 +11,7 @@ use crate::scene::{GRAVITY, Number, Rubber, n};
 pub const YOUNG: f64 = 6.016e6;
 /// Poisson's ratio of glass.
 pub const POISSON: f64 = 0.24;
-/// A = 0.1 µs, with which two beads part at 94 % of the 0.1 m/s at which they met.
+/// A = 0.1 µs, with which two beads part at 94 % of the 0.1 m/s at which they collided.
 pub const DISSIPATION: f64 = 1.0e-4;
 
 /// How many grains.
@@ -67,7 +67,7 @@ pub fn memory<S: Scalar>() -> Box32<S> {
 
 /// The tilt box.
 ///
-/// Not inlined: what setup needs of the stack is given back before the first event.
+/// Not inlined: the stack that building needs is free again before the first event.
 ///
 /// # Errors
 /// None unless the memory is too small.
@@ -121,12 +121,12 @@ pub fn instant(reading: u32) -> Instant {
     Instant::from((reading * BETWEEN_READINGS) as f32)
 }
 
-/// Plays the script on a board: sleeps until the next event, and shows the box now and then.
+/// Runs the script on a board: sleeps until the next event, and shows the box now and then.
 ///
 /// # Errors
-/// Any fault of the engine.
+/// Any error of the engine.
 #[inline(never)]
-pub fn play<S: Scalar, R: Rule<S>>(
+pub fn run_script<S: Scalar, R: Rule<S>>(
     world: &mut World<'_, S, 2, R>,
     board: &mut impl Board,
 ) -> Result<(), Error> {

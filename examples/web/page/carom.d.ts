@@ -1,4 +1,4 @@
-// Which types does carom.js have? Reads nothing; tells editors and the type checker.
+// Which types does carom.js have? Read by editors and the type checker.
 
 /** Worlds of each dimension have a WebAssembly module of their own. */
 export type Dimension = 1 | 2 | 3;
@@ -6,9 +6,9 @@ export type Dimension = 1 | 2 | 3;
 export type Vector = ArrayLike<number>;
 
 /** The most grains of a scene: 500. */
-export const MOST_GRAINS: number;
+export const MAX_GRAINS: number;
 
-/** What carom refused, in its own words: it names the field, its value and what would be right. */
+/** An error of carom, with its own message: it names the field, its value and what would be right. */
 export class CaromError extends Error {}
 
 /** What grains are made of. All units SI, or any consistent ones. */
@@ -60,8 +60,8 @@ export interface Walls {
   restitution?: number;
 }
 
-export interface Plan {
-  /** 2 unless told otherwise. */
+export interface SceneOptions {
+  /** 2 by default. */
   dimension?: Dimension;
   walls?: Walls;
   /** Planes besides the box. */
@@ -75,11 +75,11 @@ export interface Plan {
   grains: Grain[];
 }
 
-/** How often everything happened: carom's counters, and contacts that were integrated. */
-export type Counters = Record<
-  | "collisions" | "planeCollisions" | "releases" | "rotationRefused" | "interrupted" | "putOff"
-  | "clamped" | "hardSphere" | "rests" | "takeOffs" | "withinTc" | "collapses" | "propped"
-  | "reordered" | "stale" | "wanderings" | "epochs" | "integrated",
+/** How often everything happened: carom's statistics, and contacts that were integrated. */
+export type Statistics = Record<
+  | "collisions" | "planeCollisions" | "releases" | "rotationRefused" | "interrupted" | "deferred"
+  | "clamped" | "hardSphere" | "rests" | "takeOffs" | "withinTc" | "collapses" | "supportedCollisions"
+  | "reordered" | "stale" | "cellCrossings" | "rechecks" | "epochs" | "integrated",
   number
 >;
 
@@ -101,7 +101,7 @@ export interface Scene {
   /** Nothing happens before this time; `Infinity` if nothing ever will. */
   readonly nextEventTime: number;
   readonly kineticEnergy: number;
-  readonly counters: Counters;
+  readonly statistics: Statistics;
   /** 16 hexadecimal digits of the whole state: equal states have equal digests on every machine. */
   readonly digest: string;
   /**
@@ -120,4 +120,4 @@ export interface Scene {
 export function load(dimension: Dimension): Promise<WebAssembly.Module>;
 
 /** Checks and starts a world. @throws {CaromError} */
-export function createScene(plan: Plan): Promise<Scene>;
+export function createScene(options: SceneOptions): Promise<Scene>;

@@ -5,13 +5,13 @@ const FILES = ["carom-line.wasm", "carom-plane.wasm", "carom-space.wasm"];
 const MATERIALS = ["hard", "linear", "viscoelastic"];
 const OUTSIDE = ["reject", "clamp", "hard-sphere", "integrate"];
 const METHODS = ["emd", "emd*"];
-const GRAINS = 0, POSITIONS = 1, VELOCITIES = 2, STATES = 3, COUNTERS = 4, CLOCK = 5, FAULT = 6, NAMES = 7;
-const WORDS = 9;
+const GRAINS = 0, POSITIONS = 1, VELOCITIES = 2, STATES = 3, STATISTICS = 4, CLOCK = 5, ERROR = 6, NAMES = 7;
+const GRAIN_FIELDS = 9;
 
 /** The most grains of a scene. */
-export const MOST_GRAINS = 500;
+export const MAX_GRAINS = 500;
 
-/** What carom refused, in its own words. */
+/** An error of carom, with its own message. */
 export class CaromError extends Error {
   name = "CaromError";
 }
@@ -41,7 +41,7 @@ export function load(dimension) {
 }
 
 /** @param {string} field @param {string[]} names @param {string} name */
-function numbered(field, names, name) {
+function indexOf(field, names, name) {
   const number = names.indexOf(name);
   if (number < 0) throw new CaromError(`${field} is ${JSON.stringify(name)}, must be one of ${names.join(", ")}`);
   return number;
@@ -65,23 +65,23 @@ function sides({ sides, restitution }, dimension) {
   );
 }
 
-/** @param {any} wasm @param {import("./carom.js").Plan} plan @param {number} dimension */
-function describe(wasm, plan, dimension) {
-  for (const p of [...(plan.walls ? sides(plan.walls, dimension) : []), ...(plan.planes ?? [])]) {
+/** @param {any} wasm @param {import("./carom.js").SceneOptions} options @param {number} dimension */
+function describe(wasm, options, dimension) {
+  for (const p of [...(options.walls ? sides(options.walls, dimension) : []), ...(options.planes ?? [])]) {
     const { amplitude = 0, frequency = 0, phase = 0 } = p.vibration ?? {};
     const [x, y, z] = vector("normal", p.normal, dimension);
     wasm.plane(x, y, z, p.offset, p.restitution ?? NaN, amplitude, frequency, phase);
   }
-  (plan.periodic ?? []).forEach((side, axis) => side && wasm.periodic(axis, side[0], side[1]));
-  const rule = plan.rule;
-  const material = numbered("rule.material", MATERIALS, rule?.material);
-  const lasting = numbered("rule.method", METHODS, rule.method ?? "emd*");
-  const outside = numbered("rule.outside", OUTSIDE, rule.outside ?? "hard-sphere");
+  (options.periodic ?? []).forEach((side, axis) => side && wasm.periodic(axis, side[0], side[1]));
+  const rule = options.rule;
+  const material = indexOf("rule.material", MATERIALS, rule?.material);
+  const lasting = indexOf("rule.method", METHODS, rule.method ?? "emd*");
+  const outside = indexOf("rule.outside", OUTSIDE, rule.outside ?? "hard-sphere");
   const r = /** @type {any} */ (rule);
   const numbers = [[r.restitution], [r.stiffness, r.damping], [r.young, r.poisson, r.dissipation]][material];
   wasm.rule(material, lasting, outside, numbers[0], numbers[1] ?? 0, numbers[2] ?? 0);
-  wasm.tc(plan.contactTime ?? 0);
-  wasm.gravity(...vector("gravity", plan.gravity ?? [0, 0, 0].slice(0, dimension), dimension));
+  wasm.tc(options.contactTime ?? 0);
+  wasm.gravity(...vector("gravity", options.gravity ?? [0, 0, 0].slice(0, dimension), dimension));
 }
 
 /** @param {Float64Array} table @param {import("./carom.js").Grain[]} grains @param {number} dimension */
@@ -91,7 +91,7 @@ function fill(table, grains, dimension) {
     const mass = grain.mass ?? (4 / 3) * Math.PI * radius ** 3 * (density ?? NaN);
     const at = vector(`grain ${i}: position`, grain.position, dimension);
     const moving = vector(`grain ${i}: velocity`, grain.velocity ?? new Float64Array(dimension), dimension);
-    table.set([radius, mass, material, ...at, ...moving], WORDS * i);
+    table.set([radius, mass, material, ...at, ...moving], GRAIN_FIELDS * i);
   });
 }
 
@@ -99,28 +99,28 @@ function fill(table, grains, dimension) {
 class Scene {
   #wasm;
   #clock;
-  #counters;
+  #statistics;
   #names;
 
-  /** @param {any} wasm @param {import("./carom.js").Plan} plan @param {number} dimension */
-  constructor(wasm, plan, dimension) {
+  /** @param {any} wasm @param {import("./carom.js").SceneOptions} options @param {number} dimension */
+  constructor(wasm, options, dimension) {
     this.#wasm = wasm;
-    const count = plan.grains.length;
-    if (count > MOST_GRAINS) throw new CaromError(`${count} grains, must be at most ${MOST_GRAINS}`);
-    describe(wasm, plan, dimension);
-    const table = new Float64Array(wasm.memory.buffer, wasm.address(GRAINS), WORDS * count);
-    fill(table, plan.grains, dimension);
+    const count = options.grains.length;
+    if (count > MAX_GRAINS) throw new CaromError(`${count} grains, must be at most ${MAX_GRAINS}`);
+    describe(wasm, options, dimension);
+    const table = new Float64Array(wasm.memory.buffer, wasm.address(GRAINS), GRAIN_FIELDS * count);
+    fill(table, options.grains, dimension);
     /** @param {number} of @param {number} length */
     const numbers = (of, length) => new Float64Array(wasm.memory.buffer, wasm.address(of), length);
     this.dimension = dimension;
     this.count = count;
-    this.radii = Float64Array.from(plan.grains, (grain) => grain.radius);
+    this.radii = Float64Array.from(options.grains, (grain) => grain.radius);
     this.positions = numbers(POSITIONS, dimension * count);
     this.velocities = numbers(VELOCITIES, dimension * count);
     this.states = new Uint8Array(wasm.memory.buffer, wasm.address(STATES), count);
     this.#clock = numbers(CLOCK, 3);
     this.#names = this.#text(NAMES).split(",");
-    this.#counters = numbers(COUNTERS, this.#names.length);
+    this.#statistics = numbers(STATISTICS, this.#names.length);
     this.#check(wasm.start(count));
   }
 
@@ -130,10 +130,10 @@ class Scene {
     return new TextDecoder().decode(new Uint8Array(memory.buffer, address(of), length(of)));
   }
 
-  /** @param {number} answer */
-  #check(answer) {
-    if (answer === 1) throw new CaromError(this.#text(FAULT));
-    return answer === 0;
+  /** @param {number} status */
+  #check(status) {
+    if (status === 1) throw new CaromError(this.#text(ERROR));
+    return status === 0;
   }
 
   get time() {
@@ -148,8 +148,8 @@ class Scene {
     return this.#clock[2];
   }
 
-  get counters() {
-    return /** @type {any} */ (Object.fromEntries(this.#names.map((name, i) => [name, this.#counters[i]])));
+  get statistics() {
+    return /** @type {any} */ (Object.fromEntries(this.#names.map((name, i) => [name, this.#statistics[i]])));
   }
 
   get digest() {
@@ -171,9 +171,9 @@ class Scene {
   }
 }
 
-/** @param {import("./carom.js").Plan} plan @returns {Promise<any>} */
-export async function createScene(plan) {
-  const dimension = plan.dimension ?? 2;
+/** @param {import("./carom.js").SceneOptions} options @returns {Promise<any>} */
+export async function createScene(options) {
+  const dimension = options.dimension ?? 2;
   const instance = await WebAssembly.instantiate(await load(dimension), {});
-  return new Scene(instance.exports, plan, dimension);
+  return new Scene(instance.exports, options, dimension);
 }

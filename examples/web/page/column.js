@@ -1,8 +1,8 @@
 // Does a column of beads stay together on a vibrating plate? Reads sliders; draws it by force-based MD and event by event (L94 Fig. 5).
 
 import { createScene } from "./carom.js";
-import { button, find, player, show, slider, teller } from "./control.js";
-import { colour, scale, si, surface } from "./look.js";
+import { announcer, button, find, player, setText, slider } from "./controls.js";
+import { colour, scale, si, surface } from "./drawing.js";
 import { Column, G } from "./md.js";
 
 const DIAMETER = 1e-3, FREQUENCY = 20, SLOWER = 20;
@@ -13,10 +13,10 @@ const SPAN = PERIODS / FREQUENCY;
 /** @typedef {{ time: number, plate: number, md: Float64Array, ed: Float64Array }} Sample */
 /** @type {{ md: Column, ed: import("./carom.js").Scene, beads: number, contactTime: number, samples: Sample[] } | undefined} */
 let run;
-let wanted = 0;
+let latestRequest = 0;
 
 async function restart() {
-  const mine = ++wanted;
+  const request = ++latestRequest;
   const [beads, restitution] = [controls.beads.value, controls.bounce.value];
   const contactTime = controls.contact.value;
   const amplitude = (controls.shake.value * G) / (2 * Math.PI * FREQUENCY) ** 2;
@@ -30,11 +30,11 @@ async function restart() {
     rule: { material: "hard", restitution: pair },
     grains: heights.map((z) => ({ radius: DIAMETER / 2, mass: 1, position: [z] })),
   });
-  if (mine === wanted) run = { md, ed, beads, contactTime, samples: [] };
+  if (request === latestRequest) run = { md, ed, beads, contactTime, samples: [] };
 }
 
 const view = surface(find("column-canvas"));
-const tell = teller("column-said");
+const announce = announcer("column-announcement");
 const changed = () => void restart();
 const controls = {
   beads: slider("column-beads", Math.round, (n) => `N = ${n}`, changed),
@@ -72,23 +72,23 @@ function advance(dt) {
 /** How far apart the beads are: the sum of all gaps, in diameters. @param {ArrayLike<number>} z */
 const stretch = (z) => (z[z.length - 1] - z[0]) / DIAMETER - (z.length - 1);
 /** How high the centre of mass is above that of the column at rest. @param {Float64Array} z */
-const risen = (z) => z.reduce((sum, x) => sum + x, 0) / z.length - (z.length * DIAMETER) / 2;
+const rise = (z) => z.reduce((sum, x) => sum + x, 0) / z.length - (z.length * DIAMETER) / 2;
 
 /** @param {NonNullable<typeof run>} run */
 function report({ samples, beads }) {
   const mean = (/** @type {(s: Sample) => number} */ of) => samples.reduce((sum, s) => sum + of(s), 0) / samples.length;
   for (const name of /** @type {const} */ (["md", "ed"])) {
-    show(`column-${name}-gaps`, `${Math.abs(mean((s) => stretch(s[name]))).toFixed(2)} d`);
-    show(`column-${name}-most`, `${Math.max(...samples.map((s) => Math.abs(stretch(s[name])))).toFixed(2)} d`);
-    show(`column-${name}-high`, `${(1000 * mean((s) => risen(s[name]))).toFixed(2)} mm`);
+    setText(`column-${name}-gaps`, `${Math.abs(mean((s) => stretch(s[name]))).toFixed(2)} d`);
+    setText(`column-${name}-most`, `${Math.max(...samples.map((s) => Math.abs(stretch(s[name])))).toFixed(2)} d`);
+    setText(`column-${name}-high`, `${(1000 * mean((s) => rise(s[name]))).toFixed(2)} mm`);
   }
-  tell(() => `${beads} beads. Sum of all gaps: force-based ${mean((s) => stretch(s.md)).toFixed(1)} diameters, event-driven ${mean((s) => stretch(s.ed)).toFixed(1)}.`);
+  announce(() => `${beads} beads. Sum of all gaps: force-based ${mean((s) => stretch(s.md)).toFixed(1)} diameters, event-driven ${mean((s) => stretch(s.ed)).toFixed(1)}.`);
 }
 
 /** @typedef {{ x: number, y: number, width: number, height: number }} Place */
 
 /** How much height the columns need. */
-let reach = 0;
+let shownHeight = 0;
 
 /** Two columns on one plate. @param {NonNullable<typeof run>} run @param {Place} place */
 function columns({ md, ed, beads, samples }, place) {
@@ -96,8 +96,8 @@ function columns({ md, ed, beads, samples }, place) {
   const now = ed.time;
   // Room for the highest bead of late; it changes gently.
   const tall = Math.max((beads + 5) * DIAMETER, ...samples.map((s) => Math.max(s.md[beads - 1], s.ed[beads - 1]) + 2.5 * DIAMETER));
-  reach += (tall - reach) * (reach ? 0.08 : 1);
-  const zoom = Math.min((place.height - 78) / reach, place.width / 2.6 / DIAMETER);
+  shownHeight += (tall - shownHeight) * (shownHeight ? 0.08 : 1);
+  const zoom = Math.min((place.height - 78) / shownHeight, place.width / 2.6 / DIAMETER);
   const floor = place.y + place.height - 14 - 1.8 * zoom * DIAMETER;
   const plate = floor - md.plate(now) * zoom;
   /** @type {[string, ArrayLike<number>, number][]} */

@@ -1,14 +1,14 @@
 // Which of the three experiments is on the screen? Reads tabs, theme and time; writes a frame of the chosen one, again and again.
 
-import { find } from "./control.js";
-import { readColours } from "./look.js";
+import { find } from "./controls.js";
+import { readColours } from "./drawing.js";
 import * as pair from "./pair.js";
 import * as tilt from "./tilt.js";
 import * as column from "./column.js";
 
 /** @type {Record<string, { start(): Promise<void>, frame(dt: number): void }>} */
-const rooms = { pair, tilt, column };
-const names = Object.keys(rooms);
+const experiments = { pair, tilt, column };
+const names = Object.keys(experiments);
 /** Experiments that were opened once. @type {Map<string, Promise<void>>} */
 const started = new Map();
 /** Whose tab is open; and what is drawn: the same, as soon as it has started. */
@@ -20,34 +20,34 @@ Object.assign(globalThis, { caromFrames: frames });
 
 /** @param {string} name @param {boolean} [focus] */
 async function open(name, focus = false) {
-  if (!rooms[name]) name = names[0];
+  if (!experiments[name]) name = names[0];
   chosen = name;
   shown = "";
   for (const other of names) {
     const tab = find(`tab-${other}`);
     tab.setAttribute("aria-selected", String(other === name));
     tab.tabIndex = other === name ? 0 : -1;
-    find(`room-${other}`).hidden = other !== name;
+    find(`panel-${other}`).hidden = other !== name;
   }
   if (focus) find(`tab-${name}`).focus();
   history.replaceState(null, "", `#${name}`);
   frames.work.length = frames.apart.length = 0;
   try {
-    const start = started.get(name) ?? rooms[name].start();
+    const start = started.get(name) ?? experiments[name].start();
     started.set(name, start);
     await start;
     // Another tab may have been opened meanwhile, and what is hidden has no size to be drawn in.
     if (chosen === name) shown = name;
   } catch (error) {
     started.delete(name);
-    complain(error);
+    showError(error);
   }
 }
 
 /** @param {unknown} error */
-function complain(error) {
-  find("trouble").hidden = false;
-  find("trouble").textContent = `Something went wrong: ${error instanceof Error ? error.message : error}`;
+function showError(error) {
+  find("error").hidden = false;
+  find("error").textContent = `Something went wrong: ${error instanceof Error ? error.message : error}`;
   console.error(error);
 }
 
@@ -85,10 +85,10 @@ function frame(now) {
   if (!shown) return;
   const start = performance.now();
   try {
-    rooms[shown].frame(Math.min(apart, 50) / 1000);
+    experiments[shown].frame(Math.min(apart, 50) / 1000);
   } catch (error) {
     shown = "";
-    complain(error);
+    showError(error);
   }
   frames.work.push(performance.now() - start);
   frames.apart.push(apart);

@@ -1,5 +1,5 @@
 // What does force-based molecular dynamics give? Reads force laws and grains; writes their motion in small steps.
-// Plain JavaScript, and nothing of carom: it is what the event-driven methods are drawn beside.
+// Plain JavaScript, and nothing of carom: the event-driven methods are compared with it.
 
 /**
  * A contact force: F(compression, its rate).
@@ -18,13 +18,13 @@ export const viscoelastic = (rho, a) => (x, rate) => {
 /**
  * One contact of two grains in a plane, from touch until the force vanishes (MP13 Eq. 10), by classical
  * Runge-Kutta steps; the end is found by bisection.
- * @param {Force} force @param {number} mass the reduced one @param {number} reach l = R1 + R2
+ * @param {Force} force @param {number} mass the reduced one @param {number} contactDistance l = R1 + R2
  * @param {number[]} r separation at touch @param {number[]} v its rate @param {number} step
  */
-export function pairContact(force, mass, reach, r, v, step) {
+export function pairContact(force, mass, contactDistance, r, v, step) {
   const normal = (/** @type {number[]} */ s) => {
     const distance = Math.hypot(s[0], s[1]);
-    return force(reach - distance, -(s[0] * s[2] + s[1] * s[3]) / distance);
+    return force(contactDistance - distance, -(s[0] * s[2] + s[1] * s[3]) / distance);
   };
   const slope = (/** @type {number[]} */ s) => {
     const pull = normal(s) / mass / Math.hypot(s[0], s[1]);
@@ -74,19 +74,19 @@ export const G = 9.81;
 export class Column {
   time = 0;
 
-  /** @param {{ beads: number, diameter: number, restitution: number, contactTime: number, amplitude: number, frequency: number, heights: number[] }} plan */
-  constructor(plan) {
-    const mu = -Math.log(plan.restitution) / plan.contactTime;
+  /** @param {{ beads: number, diameter: number, restitution: number, contactTime: number, amplitude: number, frequency: number, heights: number[] }} options */
+  constructor(options) {
+    const mu = -Math.log(options.restitution) / options.contactTime;
     this.damping = mu;
-    this.stiffness = 0.5 * ((Math.PI / plan.contactTime) ** 2 + mu ** 2);
-    this.diameter = plan.diameter;
-    this.amplitude = plan.amplitude;
-    this.omega = 2 * Math.PI * plan.frequency;
-    this.step = plan.contactTime / 40;
-    this.z = Float64Array.from(plan.heights);
-    this.v = new Float64Array(plan.beads);
-    this.a = new Float64Array(plan.beads);
-    this.old = new Float64Array(plan.beads);
+    this.stiffness = 0.5 * ((Math.PI / options.contactTime) ** 2 + mu ** 2);
+    this.diameter = options.diameter;
+    this.amplitude = options.amplitude;
+    this.omega = 2 * Math.PI * options.frequency;
+    this.step = options.contactTime / 40;
+    this.z = Float64Array.from(options.heights);
+    this.v = new Float64Array(options.beads);
+    this.a = new Float64Array(options.beads);
+    this.old = new Float64Array(options.beads);
   }
 
   /** Coefficients of restitution of two beads, and of a bead and the plate (L94 Eq. 7). */

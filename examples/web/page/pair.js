@@ -1,14 +1,14 @@
 // What happens to two soft grains? Reads sliders; draws the paths by force-based MD, eMD and eMD* on each other (MP13 Fig. 6).
 
 import { createScene } from "./carom.js";
-import { button, choice, find, player, show, slider, teller } from "./control.js";
-import { arrow, circle, colour, si, surface, words } from "./look.js";
+import { announcer, button, choice, find, player, setText, slider } from "./controls.js";
+import { arrow, circle, colour, formatNumber, si, surface } from "./drawing.js";
 import { linear, pairContact, viscoelastic } from "./md.js";
 
 // MP13 Sec. VI A: R = 0.1 m, ρ = 1140 kg/m³, v = 5 m/s, of which the centre of mass has v/4 across.
-const RADIUS = 0.1, REACH = 0.2, DENSITY = 1140, SPEED = 5, DRIFT = 1.25;
+const RADIUS = 0.1, CONTACT_DISTANCE = 0.2, DENSITY = 1140, SPEED = 5, DRIFT = 1.25;
 const MASS = (4 / 3) * Math.PI * RADIUS ** 3 * DENSITY, REDUCED = MASS / 2;
-const BEGIN = -0.06, END = 0.17, SAMPLES = 460, LASTS = 4;
+const BEGIN = -0.06, END = 0.17, SAMPLES = 460, DURATION = 4;
 const POISSON = 0.4;
 
 /**
@@ -18,9 +18,9 @@ const POISSON = 0.4;
  */
 /** @type {Runs | undefined} */
 let runs;
-let time = 0, wanted = 0;
-/** Where a finger holds the picture. @type {number | null} */
-let held = null;
+let time = 0, latestRequest = 0;
+/** Where the pointer was while the picture is dragged. @type {number | null} */
+let dragged = null;
 
 /** Both laws have the same unit of time T at the same slider. @param {number} k */
 function material(k) {
@@ -38,8 +38,8 @@ function material(k) {
 }
 
 /** Where the two are when they touch, and how they move. @param {number} e */
-function touch(e) {
-  const half = [(e * REACH) / 2, (Math.sqrt(1 - e * e) * REACH) / 2];
+function atContact(e) {
+  const half = [(e * CONTACT_DISTANCE) / 2, (Math.sqrt(1 - e * e) * CONTACT_DISTANCE) / 2];
   return {
     places: [[half[0], -half[1]], [-half[0], half[1]]],
     speeds: [[DRIFT, SPEED / 2], [DRIFT, -SPEED / 2]],
@@ -58,10 +58,10 @@ function run(at, jump) {
 
 /** @param {number} e @param {import("./md.js").Force} force @param {number} step */
 function byForces(e, force, step) {
-  const { places, speeds } = touch(e);
+  const { places, speeds } = atContact(e);
   const r = [0, 1].map((a) => places[0][a] - places[1][a]);
   const v = [0, 1].map((a) => speeds[0][a] - speeds[1][a]);
-  const contact = pairContact(force, REDUCED, REACH, r, v, step);
+  const contact = pairContact(force, REDUCED, CONTACT_DISTANCE, r, v, step);
   const at = (/** @type {number} */ t) => {
     const s = contact.at(t);
     return [1, -1].map((side) => [DRIFT * t + (side * s[0]) / 2, (side * s[1]) / 2]);
@@ -71,7 +71,7 @@ function byForces(e, force, step) {
 
 /** The same by carom, event by event. @param {number} e @param {object} rule */
 async function byEvents(e, rule) {
-  const { places, speeds } = touch(e);
+  const { places, speeds } = atContact(e);
   const grains = places.map((place, i) => ({
     radius: RADIUS, density: DENSITY, velocity: speeds[i], position: place.map((x, a) => x + BEGIN * speeds[i][a]),
   }));
@@ -87,42 +87,42 @@ async function byEvents(e, rule) {
   const [before, after] = legs;
   const sample = TIMES.findIndex((t) => t - BEGIN >= after.from);
   const from = before.places.map((place, i) => place.map((x, a) => x + before.speeds[2 * i + a] * (after.from - before.from)));
-  return { run: run(at, { sample, from, to: after.places }), integrated: scene.counters.integrated };
+  return { run: run(at, { sample, from, to: after.places }), integrated: scene.statistics.integrated };
 }
 
 async function compute() {
-  const mine = ++wanted;
+  const request = ++latestRequest;
   const [e, k] = [controls.impact.value, controls.stiffness.value];
   const { rule, force } = material(k);
   const outside = "integrate";
   const [emd, star] = await Promise.all(["emd", "emd*"].map((method) => byEvents(e, { ...rule, method, outside })));
-  if (mine !== wanted) return;
+  if (request !== latestRequest) return;
   const md = byForces(e, force, (Math.sqrt(REDUCED / k) * Math.PI) / 1500);
   runs = { md: md.run, tau: md.tau, emd: emd.run, star: star.run, integrated: star.integrated };
   report(runs);
 }
 
 /** How far a run is from MD at the end, in units of l. @param {Run} run @param {Run} md */
-const off = (run, md) => Math.max(...[0, 1].map((i) => Math.hypot(...[0, 1].map((a) => run.at(END)[i][a] - md.at(END)[i][a])))) / REACH;
+const deviation = (run, md) => Math.max(...[0, 1].map((i) => Math.hypot(...[0, 1].map((a) => run.at(END)[i][a] - md.at(END)[i][a])))) / CONTACT_DISTANCE;
 
 /** The angle between two directions, in degrees. @param {Run} run @param {Run} md */
-const turned = (run, md) => Math.abs((((run.direction - md.direction) * 180) / Math.PI + 540) % 360 - 180);
+const angleBetween = (run, md) => Math.abs((((run.direction - md.direction) * 180) / Math.PI + 540) % 360 - 180);
 
 /** @param {Runs} runs */
 function report({ md, emd, star, tau, integrated }) {
   for (const [name, run] of /** @type {[string, Run][]} */ ([["emd", emd], ["star", star]])) {
-    const degrees = turned(run, md);
+    const degrees = angleBetween(run, md);
     const angle = degrees < 0.05 ? "< 0.1°" : `${degrees.toFixed(1)}°`;
-    show(`pair-${name}-angle`, angle);
-    show(`pair-${name}-off-by`, `${angle} off`);
-    show(`pair-${name}-off`, `${words(off(run, md), 2)} l`);
+    setText(`pair-${name}-angle`, angle);
+    setText(`pair-${name}-off-by`, `${angle} off`);
+    setText(`pair-${name}-off`, `${formatNumber(deviation(run, md), 2)} l`);
   }
-  show("pair-tau", si(tau, "s"));
-  show("pair-source", integrated ? "integrated (softer than the standard table reaches)" : "the standard table");
-  tell(() => `eMD leaves ${turned(emd, md).toFixed(1)} degrees off the force-based path, eMD star ${turned(star, md).toFixed(2)} degrees.`);
+  setText("pair-tau", si(tau, "s"));
+  setText("pair-source", integrated ? "integrated (softer than the standard table reaches)" : "the standard table");
+  announce(() => `eMD leaves ${angleBetween(emd, md).toFixed(1)} degrees off the force-based path, eMD star ${angleBetween(star, md).toFixed(2)} degrees.`);
 }
 
-const tell = teller("pair-said");
+const announce = announcer("pair-announcement");
 const view = surface(find("pair-canvas"));
 const changed = () => void compute();
 const controls = {
@@ -147,16 +147,16 @@ button("pair-preset", () => {
 /** Dragging sideways in the picture is the impact parameter too. */
 const canvas = find("pair-canvas");
 canvas.addEventListener("pointerdown", (event) => {
-  held = event.clientX;
+  dragged = event.clientX;
   canvas.setPointerCapture(event.pointerId);
 });
 canvas.addEventListener("pointermove", (event) => {
-  if (held === null) return;
-  controls.impact.set(controls.impact.value + (1.5 * (event.clientX - held)) / view.size.width);
-  held = event.clientX;
+  if (dragged === null) return;
+  controls.impact.set(controls.impact.value + (1.5 * (event.clientX - dragged)) / view.size.width);
+  dragged = event.clientX;
   changed();
 });
-for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (held = null));
+for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (dragged = null));
 
 /** Metres to pixels. */
 function camera() {
@@ -225,7 +225,7 @@ function draw() {
   const lens = camera();
   pen.setLineDash([5, 5]);
   Object.assign(pen, { strokeStyle: colour("faint"), lineWidth: 1.25 });
-  for (const place of touch(controls.impact.value).places) {
+  for (const place of atContact(controls.impact.value).places) {
     const [x, y] = lens.at(place);
     circle(pen, x, y, RADIUS * lens.zoom);
     pen.stroke();
@@ -254,7 +254,7 @@ export async function start() {
 /** @param {number} dt */
 export function frame(dt) {
   if (play.playing) {
-    time += (dt * (END - BEGIN)) / LASTS;
+    time += (dt * (END - BEGIN)) / DURATION;
     if (time > END) time = BEGIN;
     controls.time.set(time);
   }

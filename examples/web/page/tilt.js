@@ -1,10 +1,10 @@
 // How do up to 500 grains follow gravity? Reads pointer, keys, the device's tilt and sliders; draws a box of them, 60 times a second.
 
 import { createScene } from "./carom.js";
-import { button, choice, find, player, show, slider, teller } from "./control.js";
-import { arrow, circle, colour, scale, surface, words } from "./look.js";
+import { announcer, button, choice, find, player, setText, slider } from "./controls.js";
+import { arrow, circle, colour, formatNumber, scale, surface } from "./drawing.js";
 
-const G = 9.81, PACE = 0.4, BUDGET = 9, SLICE = 128;
+const G = 9.81, PLAYBACK_SPEED = 0.4, BUDGET = 9, SLICE = 128;
 /** Duration of a real rubber contact, for the TC rule of hard spheres (s). */
 const CONTACT = 2e-3;
 /** Covered by grains: this share of the box. */
@@ -13,7 +13,7 @@ const COVERED = 0.42;
 /** @type {import("./carom.js").Scene | undefined} */
 let scene;
 let gravity = [0, -G];
-let aim = 0, wanted = 0, tossed = 0;
+let target = 0, latestRequest = 0, tossed = 0;
 /** Events and simulated time against what was due, of the last second. */
 const rate = { since: 0, frames: 0, work: 0, events: 0, simulated: 0, due: 0, before: 0 };
 
@@ -60,7 +60,7 @@ function build(grains) {
 }
 
 async function restart(keep = true) {
-  const mine = ++wanted;
+  const request = ++latestRequest;
   const old = keep ? present() : null;
   let made;
   try {
@@ -70,9 +70,9 @@ async function restart(keep = true) {
     if (!old) throw error;
     made = await build(lattice(controls.count.value));
   }
-  if (mine !== wanted) return;
+  if (request !== latestRequest) return;
   scene = made;
-  aim = 0;
+  target = 0;
   Object.assign(rate, { since: performance.now(), frames: 0, work: 0, events: 0, simulated: 0, due: 0, before: 0 });
 }
 
@@ -91,7 +91,7 @@ function turn(radians) {
 
 const view = surface(find("tilt-canvas"));
 const canvas = find("tilt-canvas");
-const tell = teller("tilt-said");
+const announce = announcer("tilt-announcement");
 const controls = {
   count: slider("tilt-count", Math.round, (n) => `N = ${n}`, () => void restart(false)),
   bounce: slider("tilt-bounce", (x) => x, (x) => `ε = ${x.toFixed(2)}`, () => void restart()),
@@ -137,10 +137,10 @@ const keys = {
   0: () => pull([0, 0]),
 };
 canvas.addEventListener("keydown", (event) => {
-  const act = keys[event.key];
-  if (!act) return;
+  const action = keys[event.key];
+  if (!action) return;
   event.preventDefault();
-  act();
+  action();
 });
 
 /** Phones know where down is; some ask first whether the page may know. */
@@ -156,16 +156,16 @@ button("tilt-device", async () => {
   find("tilt-device").textContent = "Tilt the device now";
 });
 
-/** Events are computed for as long as a frame can spare; where they come too thick, time goes slower. @param {number} dt */
+/** Events are computed for as long as a frame can spare; where there are too many, simulated time goes slower. @param {number} dt */
 function advance(dt) {
   if (!scene) return;
   const begin = performance.now();
   const from = scene.time;
-  aim = Math.max(aim, from) + PACE * dt;
-  while (!scene.advanceTo(Math.max(aim, scene.time), SLICE) && performance.now() - begin < BUDGET);
-  aim = Math.min(aim, scene.time + PACE * dt);
+  target = Math.max(target, from) + PLAYBACK_SPEED * dt;
+  while (!scene.advanceTo(Math.max(target, scene.time), SLICE) && performance.now() - begin < BUDGET);
+  target = Math.min(target, scene.time + PLAYBACK_SPEED * dt);
   rate.simulated += scene.time - from;
-  rate.due += PACE * dt;
+  rate.due += PLAYBACK_SPEED * dt;
   if (tossed > 0 && (tossed -= dt) <= 0) pull(gravity);
 }
 
@@ -187,8 +187,8 @@ function draw() {
 function compass() {
   const { pen, size } = view;
   const middle = [size.width / 2, size.height / 2];
-  const reach = (0.16 * size.width) / G;
-  const to = [middle[0] + gravity[0] * reach, middle[1] - gravity[1] * reach];
+  const length = (0.16 * size.width) / G;
+  const to = [middle[0] + gravity[0] * length, middle[1] - gravity[1] * length];
   for (const [ink, width] of /** @type {[string, number][]} */ ([["paper", 9], ["ink", 3.5]])) {
     Object.assign(pen, { strokeStyle: colour(ink), fillStyle: colour(ink), lineWidth: width, lineCap: "round", lineJoin: "round" });
     circle(pen, middle[0], middle[1], ink === "ink" ? 4 : 7);
@@ -205,16 +205,16 @@ function count(spent) {
   const now = performance.now();
   const passed = (now - rate.since) / 1000;
   if (passed < 1) return;
-  const c = scene.counters;
+  const c = scene.statistics;
   const events = c.collisions + c.planeCollisions + c.releases + c.interrupted;
-  show("tilt-fps", (rate.frames / passed).toFixed(0));
-  show("tilt-work", `${(rate.work / rate.frames).toFixed(1)} ms`);
-  show("tilt-events", Math.round((events - rate.before) / passed).toLocaleString("en"));
-  show("tilt-pace", rate.due > 0 ? `${Math.round((100 * PACE * rate.simulated) / rate.due)} %` : "paused");
-  show("tilt-total", events.toLocaleString("en"));
-  show("tilt-energy", `${words(scene.kineticEnergy, 2)} J`);
+  setText("tilt-fps", (rate.frames / passed).toFixed(0));
+  setText("tilt-work", `${(rate.work / rate.frames).toFixed(1)} ms`);
+  setText("tilt-events", Math.round((events - rate.before) / passed).toLocaleString("en"));
+  setText("tilt-speed", rate.due > 0 ? `${Math.round((100 * PLAYBACK_SPEED * rate.simulated) / rate.due)} %` : "paused");
+  setText("tilt-total", events.toLocaleString("en"));
+  setText("tilt-energy", `${formatNumber(scene.kineticEnergy, 2)} J`);
   const frames = rate.frames / passed;
-  tell(() => `${scene?.count} grains, ${frames.toFixed(0)} frames a second, gravity ${Math.hypot(...gravity).toFixed(1)} metres per second squared.`);
+  announce(() => `${scene?.count} grains, ${frames.toFixed(0)} frames a second, gravity ${Math.hypot(...gravity).toFixed(1)} metres per second squared.`);
   Object.assign(rate, { since: now, frames: 0, work: 0, simulated: 0, due: 0, before: events });
 }
 

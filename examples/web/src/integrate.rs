@@ -5,7 +5,7 @@ use carom::law::embedded::read::{Groups, ScaledRestitution};
 /// Steps for a time of π T, about one contact.
 const STEPS: f64 = 2000.0;
 /// No contact within reach of the page lasts so many steps; an overdamped one may creep for ever.
-const MOST: u32 = 200_000;
+const MAX_STEPS: u32 = 200_000;
 
 /// The contact equation in MP13's scaled form (Eqs. 42 and 54), with η and κ for 1/l̃ and tan²α/l̃.
 struct Contact {
@@ -52,7 +52,7 @@ pub fn contact(linear: bool, groups: &Groups<f64>) -> ScaledRestitution<f64> {
         Contact { linear, kappa: tan * tan * groups.eta, eta: groups.eta, c_dis: groups.c_dis };
     let step = core::f64::consts::PI / STEPS;
     let (mut state, mut tau) = ([0.0, 1.0, 0.0], 0.0);
-    for _ in 0..MOST {
+    for _ in 0..MAX_STEPS {
         let next = contact.step(state, step);
         if contact.is_over(next) {
             break;

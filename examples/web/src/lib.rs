@@ -1,4 +1,4 @@
-//! Which functions does the WebAssembly module export? Reads numbers and memory from JavaScript; writes one world and what is seen of it.
+//! Which functions does the WebAssembly module export? Reads numbers and memory from JavaScript; writes one world and what JavaScript sees of it.
 //!
 //! One instance of the module is one world: JavaScript makes as many instances as it wants worlds and
 //! forgets them when it is done. There is no allocator; everything lives in statics for up to 500 grains.
@@ -6,97 +6,97 @@
 //! The only `unsafe` is the attribute that gives a function its plain name.
 #![no_std]
 
+mod description;
 mod integrate;
-mod live;
-mod plan;
 mod rule;
+mod view_buffers;
 
 use carom::law::{LinearDashpot, Outside, Viscoelastic};
 use carom::{Error, Memory, World};
 use core::fmt::Write;
-use live::{COUNTERS, Shown};
-use plan::{D, MAX_GRAINS, Plan, WORDS, first};
-use rule::{Chosen, Material};
+use description::{D, Description, GRAIN_FIELDS, MAX_GRAINS, first};
+use rule::{ChosenRule, Material};
 use spin::Mutex;
 use static_cell::StaticCell;
+use view_buffers::{STATISTICS, ViewBuffers};
 
-/// What JavaScript asked for, until the start.
-static PLAN: Mutex<Plan> = Mutex::new(Plan::new());
+/// What JavaScript described, until the start.
+static DESCRIPTION: Mutex<Description> = Mutex::new(Description::new());
 static MEMORY: StaticCell<Memory<f64, D, MAX_GRAINS>> = StaticCell::new();
-static WORLD: Mutex<Option<World<'static, f64, D, Chosen>>> = Mutex::new(None);
+static WORLD: Mutex<Option<World<'static, f64, D, ChosenRule>>> = Mutex::new(None);
 /// All zeros, so that it takes no place in the file.
-static DESK: Mutex<Desk> = Mutex::new(Desk {
-    grains: [[0.0; WORDS]; MAX_GRAINS],
-    shown: Shown::new(),
-    fault: heapless::String::new(),
+static SHARED: Mutex<Shared> = Mutex::new(Shared {
+    grains: [[0.0; GRAIN_FIELDS]; MAX_GRAINS],
+    view: ViewBuffers::new(),
+    error: heapless::String::new(),
 });
 
-/// What lies open for JavaScript.
-struct Desk {
-    grains: [[f64; WORDS]; MAX_GRAINS],
-    shown: Shown,
-    fault: heapless::String<512>,
+/// The memory that JavaScript reads and writes in place.
+struct Shared {
+    grains: [[f64; GRAIN_FIELDS]; MAX_GRAINS],
+    view: ViewBuffers,
+    error: heapless::String<512>,
 }
 
-impl Desk {
-    /// Zero if it went well; else one, and the fault can be read.
-    fn say(&mut self, result: Result<(), Error>) -> u32 {
-        let Err(fault) = result else { return 0 };
-        self.refuse(format_args!("{fault}"))
+impl Shared {
+    /// Zero for success; else one, and the error's text can be read.
+    fn status(&mut self, result: Result<(), Error>) -> u32 {
+        let Err(error) = result else { return 0 };
+        self.fail(format_args!("{error}"))
     }
 
-    fn refuse(&mut self, what: core::fmt::Arguments<'_>) -> u32 {
-        self.fault.clear();
+    fn fail(&mut self, what: core::fmt::Arguments<'_>) -> u32 {
+        self.error.clear();
         // A message that is too long is cut off, which does not matter.
-        let _ = self.fault.write_fmt(what);
+        let _ = self.error.write_fmt(what);
         1
     }
 
     fn start(&mut self, count: usize) -> u32 {
         let Some(memory) = MEMORY.try_init_with(Memory::new) else {
-            return self.refuse(format_args!("this instance has been started before"));
+            return self.fail(format_args!("this instance has been started before"));
         };
         let grains = self.grains.get(..count).unwrap_or(&self.grains);
-        match PLAN.lock().start(memory, grains) {
+        match DESCRIPTION.lock().start(memory, grains) {
             Ok(world) => *WORLD.lock() = Some(world),
-            Err(fault) => return self.say(Err(fault)),
+            Err(error) => return self.status(Err(error)),
         }
-        self.act(|_| Ok(()))
+        self.with_world(|_| Ok(()))
     }
 
-    /// Does something with the world and shows what became of it.
-    fn act(
+    /// Does something with the world and writes what JavaScript sees of it.
+    fn with_world(
         &mut self,
-        outcome: impl FnOnce(&mut World<'static, f64, D, Chosen>) -> Result<(), Error>,
+        action: impl FnOnce(&mut World<'static, f64, D, ChosenRule>) -> Result<(), Error>,
     ) -> u32 {
         let mut world = WORLD.lock();
         let Some(world) = world.as_mut() else {
-            return self.refuse(format_args!("the world has not been started"));
+            return self.fail(format_args!("the world has not been started"));
         };
-        let result = outcome(world);
-        self.shown.write(world);
-        self.say(result)
+        let result = action(world);
+        self.view.write(world);
+        self.status(result)
     }
 }
 
 /// The next event, if there is one; a copy of the engine's loop is large, so there is only this.
 #[inline(never)]
-fn one(world: &mut World<'static, f64, D, Chosen>) -> Result<bool, Error> {
-    world.step().map(|happened| happened.is_some())
+fn next_event(world: &mut World<'static, f64, D, ChosenRule>) -> Result<bool, Error> {
+    world.step().map(|event| event.is_some())
 }
 
-/// Adds a plane, see [`plan::Wall`].
+/// Adds a plane, see [`description::Wall`].
 #[unsafe(no_mangle)]
 #[rustfmt::skip]
 extern "C" fn plane(x: f64, y: f64, z: f64, offset: f64, e: f64, a: f64, f: f64, phase: f64) {
     // Carom refuses the ninth; a tenth adds nothing to that.
-    let _ = PLAN.lock().planes.push([x, y, z, offset, e, a, f, phase]);
+    let _ = DESCRIPTION.lock().planes.push([x, y, z, offset, e, a, f, phase]);
 }
 
 /// Makes an axis periodic.
 #[unsafe(no_mangle)]
 extern "C" fn periodic(axis: u32, low: f64, high: f64) {
-    if let Some(place) = PLAN.lock().periodic.get_mut(axis as usize) {
+    if let Some(place) = DESCRIPTION.lock().periodic.get_mut(axis as usize) {
         *place = Some([low, high]);
     }
 }
@@ -116,55 +116,55 @@ extern "C" fn rule(material: u32, lasting: u32, outside: u32, a: f64, b: f64, c:
         2 => Some(Outside::HardSphere),
         _ => None,
     };
-    PLAN.lock().rule = Chosen { material, lasting: lasting != 0, outside };
+    DESCRIPTION.lock().rule = ChosenRule { material, lasting: lasting != 0, outside };
 }
 
 /// The TC rule's contact duration.
 #[unsafe(no_mangle)]
 extern "C" fn tc(t_c: f64) {
-    PLAN.lock().t_c = t_c;
+    DESCRIPTION.lock().t_c = t_c;
 }
 
 /// Sets gravity, before the start or now.
 #[unsafe(no_mangle)]
 extern "C" fn gravity(x: f64, y: f64, z: f64) -> u32 {
-    PLAN.lock().gravity = [x, y, z];
+    DESCRIPTION.lock().gravity = [x, y, z];
     if WORLD.lock().is_none() {
         return 0;
     }
-    DESK.lock().act(|world| world.set_gravity(first(&[x, y, z])))
+    SHARED.lock().with_world(|world| world.set_gravity(first(&[x, y, z])))
 }
 
 /// Starts the world with the first `count` grains of the table.
 #[unsafe(no_mangle)]
 extern "C" fn start(count: usize) -> u32 {
-    DESK.lock().start(count)
+    SHARED.lock().start(count)
 }
 
-/// Everything up to this time happens: 0; or the first `most` events of it: 2.
+/// Everything up to this time happens: 0; or the first `max_events` events of it: 2.
 #[unsafe(no_mangle)]
-extern "C" fn advance(time: f64, most: u32) -> u32 {
-    let mut left = most;
-    let fault = DESK.lock().act(|world| {
-        if most < u32::MAX {
-            // The first event may turn out void and the one after it be late: then now is past `time`.
+extern "C" fn advance(time: f64, max_events: u32) -> u32 {
+    let mut left = max_events;
+    let status = SHARED.lock().with_world(|world| {
+        if max_events < u32::MAX {
+            // The first event may turn out stale and the one after it be late: then now is past `time`.
             while left > 0 && world.next_event_time().is_some_and(|next| next.as_f64() <= time) {
-                one(world)?;
+                next_event(world)?;
                 left -= 1;
             }
         }
-        let reached = left == 0 || (most < u32::MAX && world.now().as_f64() >= time);
+        let reached = left == 0 || (max_events < u32::MAX && world.now().as_f64() >= time);
         if reached { Ok(()) } else { world.advance_to(time) }
     });
-    if fault == 0 && left == 0 { 2 } else { fault }
+    if status == 0 && left == 0 { 2 } else { status }
 }
 
 /// The next event happens: 0, or nothing ever will: 2.
 #[unsafe(no_mangle)]
 extern "C" fn step() -> u32 {
     let mut any = false;
-    let fault = DESK.lock().act(|world| one(world).map(|happened| any = happened));
-    if fault == 0 && !any { 2 } else { fault }
+    let status = SHARED.lock().with_world(|world| next_event(world).map(|happened| any = happened));
+    if status == 0 && !any { 2 } else { status }
 }
 
 /// One number of the whole state.
@@ -174,26 +174,26 @@ extern "C" fn digest() -> u64 {
 }
 
 /// Where things are: 0: the table of grains, 1: positions, 2: velocities, 3: states, 4: statistics,
-/// 5: now, next, energy, 6: the fault's text, 7: the statistics' names.
+/// 5: now, next, energy, 6: the error's text, 7: the statistics' names.
 #[unsafe(no_mangle)]
 extern "C" fn address(of: u32) -> *const u8 {
-    let desk = DESK.lock();
+    let shared = SHARED.lock();
     match of {
-        0 => desk.grains.as_ptr().cast(),
-        1 => desk.shown.positions.as_ptr().cast(),
-        2 => desk.shown.velocities.as_ptr().cast(),
-        3 => desk.shown.states.as_ptr(),
-        4 => desk.shown.statistics.as_ptr().cast(),
-        5 => desk.shown.clock.as_ptr().cast(),
-        6 => desk.fault.as_ptr(),
-        _ => COUNTERS.as_ptr(),
+        0 => shared.grains.as_ptr().cast(),
+        1 => shared.view.positions.as_ptr().cast(),
+        2 => shared.view.velocities.as_ptr().cast(),
+        3 => shared.view.states.as_ptr(),
+        4 => shared.view.statistics.as_ptr().cast(),
+        5 => shared.view.clock.as_ptr().cast(),
+        6 => shared.error.as_ptr(),
+        _ => STATISTICS.as_ptr(),
     }
 }
 
 /// How long the texts among them are.
 #[unsafe(no_mangle)]
 extern "C" fn length(of: u32) -> usize {
-    if of == 6 { DESK.lock().fault.len() } else { COUNTERS.len() }
+    if of == 6 { SHARED.lock().error.len() } else { STATISTICS.len() }
 }
 
 /// Nothing in carom panics; should anything, the module stops and JavaScript gets an exception.

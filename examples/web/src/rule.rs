@@ -4,8 +4,7 @@ use crate::integrate;
 use carom::law::ForceLaw;
 use carom::law::embedded::read::Law;
 use carom::law::{
-    Answer, Central, Impact, HardSphere, LinearDashpot, Outside, Response, Rule, Soft,
-    Viscoelastic,
+    Answer, Central, HardSphere, Impact, LinearDashpot, Outside, Response, Rule, Soft, Viscoelastic,
 };
 use carom::{Error, law};
 use core::sync::atomic::{AtomicU64, Ordering};
@@ -26,7 +25,7 @@ pub enum Material {
 
 /// The rule of every world of this module: a material, a method, and what to do outside the table.
 #[derive(Clone, Copy)]
-pub struct Chosen {
+pub struct ChosenRule {
     /// What grains are made of.
     pub material: Material,
     /// eMD* (contacts last and turn) or eMD (they are instantaneous).
@@ -35,10 +34,10 @@ pub struct Chosen {
     pub outside: Option<Outside>,
 }
 
-impl Rule<f64> for Chosen {
+impl Rule<f64> for ChosenRule {
     fn collide(&self, impact: &Impact<f64>) -> Answer<f64> {
         match self.material {
-            Material::Hard(restitution) => HardSphere { restitution }.meet(impact),
+            Material::Hard(restitution) => HardSphere { restitution }.collide(impact),
             Material::Linear(law) => self.soft(law, law::embedded::linear_dashpot(), impact),
             Material::Viscoelastic(law) => self.soft(law, law::embedded::viscoelastic(), impact),
         }
@@ -53,7 +52,7 @@ impl Rule<f64> for Chosen {
     }
 }
 
-impl Chosen {
+impl ChosenRule {
     fn soft<L: ForceLaw<f64> + Copy>(
         &self,
         law: L,
@@ -61,21 +60,21 @@ impl Chosen {
         impact: &Impact<f64>,
     ) -> Answer<f64> {
         let table = Soft::with_table(law, table, self.outside.unwrap_or(Outside::Reject));
-        let rule = OrIntegrated { law, table, integrate: self.outside.is_none() };
-        if self.lasting { rule.collide(impact) } else { Central(rule).meet(impact) }
+        let rule = TableOrIntegrated { law, table, integrate: self.outside.is_none() };
+        if self.lasting { rule.collide(impact) } else { Central(rule).collide(impact) }
     }
 }
 
-/// A rule of one's own: the table where it holds, the contact equation beyond.
-struct OrIntegrated<L> {
+/// The table inside its domain, the contact equation integrated outside.
+struct TableOrIntegrated<L> {
     law: L,
     table: Soft<L, law::embedded::Stored>,
     integrate: bool,
 }
 
-impl<L: ForceLaw<f64>> Rule<f64> for OrIntegrated<L> {
+impl<L: ForceLaw<f64>> Rule<f64> for TableOrIntegrated<L> {
     fn collide(&self, impact: &Impact<f64>) -> Answer<f64> {
-        let answer = self.table.meet(impact);
+        let answer = self.table.collide(impact);
         if !(self.integrate && matches!(answer.response, Response::Refused { .. })) {
             return answer;
         }

@@ -3,11 +3,11 @@
 import assert from "node:assert/strict";
 import { readdirSync, statSync } from "node:fs";
 import { test } from "node:test";
-import { CaromError, createScene, MOST_GRAINS } from "../dist/carom.js";
+import { CaromError, createScene, MAX_GRAINS } from "../dist/carom.js";
 
-/** @typedef {import("../page/carom.js").Plan} Plan */
-/** @param {object} plan @returns {Promise<import("../page/carom.js").Scene>} */
-const scene = (plan) => createScene(/** @type {Plan} */ (plan));
+/** @typedef {import("../page/carom.js").SceneOptions} SceneOptions */
+/** @param {object} options @returns {Promise<import("../page/carom.js").Scene>} */
+const scene = (options) => createScene(/** @type {SceneOptions} */ (options));
 /** @param {number} x @param {number} wanted @param {number} tolerance */
 const near = (x, wanted, tolerance) => assert.ok(Math.abs(x - wanted) <= tolerance, `${x}, not ${wanted}`);
 
@@ -27,7 +27,7 @@ function lattice(n, dimension) {
   }));
 }
 
-test("two elastic grains swap velocities, and time is told", async () => {
+test("two elastic grains swap velocities, and the next event time is known", async () => {
   const line = await scene({
     dimension: 1,
     rule: elastic,
@@ -40,7 +40,7 @@ test("two elastic grains swap velocities, and time is told", async () => {
   assert.equal(line.advanceTo(3), true);
   assert.deepEqual([...line.positions], [2, 4]);
   assert.deepEqual([...line.velocities], [0, 1]);
-  assert.equal(line.counters.collisions, 1);
+  assert.equal(line.statistics.collisions, 1);
   assert.equal(line.nextEventTime, Infinity);
   assert.equal(line.step(), false);
 });
@@ -57,7 +57,7 @@ test("MP13 Fig. 6: eMD* leaves as force-based MD does, eMD 98.8 degrees away", a
     const pair = await scene({ rule: { ...rule, method }, grains });
     pair.advanceTo(0.2);
     const [ax, ay, bx, by] = pair.velocities;
-    return [(Math.atan2(ay - by, ax - bx) * 180) / Math.PI, pair.counters.integrated];
+    return [(Math.atan2(ay - by, ax - bx) * 180) / Math.PI, pair.statistics.integrated];
   };
   const [[star, integrated], [emd]] = [await angle("emd*"), await angle("emd")];
   assert.equal(integrated, 1);
@@ -81,14 +81,14 @@ test("an elastic gas keeps its energy in one, two and three dimensions", async (
     const gas = await scene({ dimension, periodic: Array(dimension).fill([0, 1]), rule: elastic, grains });
     const before = gas.kineticEnergy;
     gas.advanceTo(5);
-    assert.ok(gas.counters.collisions > 50);
+    assert.ok(gas.statistics.collisions > 50);
     near(gas.kineticEnergy / before, 1, 1e-12);
   }
 });
 
 test("the digest does not depend on the number of calls, and tells two states apart", async () => {
-  const plan = { walls: { sides: [[0, 1], [0, 1]] }, gravity: [0, -9.81], rule: rubber, grains: lattice(30, 2) };
-  const [once, often, half] = await Promise.all([scene(plan), scene(plan), scene(plan)]);
+  const options = { walls: { sides: [[0, 1], [0, 1]] }, gravity: [0, -9.81], rule: rubber, grains: lattice(30, 2) };
+  const [once, often, half] = await Promise.all([scene(options), scene(options), scene(options)]);
   once.advanceTo(0.1);
   half.advanceTo(0.05);
   for (let k = 1; k <= 10; k++) while (!often.advanceTo(0.01 * k, 3));
@@ -127,7 +127,7 @@ test("a plate lifts what lies on it as soon as it falls faster than gravity", as
   assert.equal(ride.states[0], 2);
   ride.advanceTo(1.001 * leaves);
   assert.equal(ride.states[0], 0);
-  assert.equal(ride.counters.takeOffs, 1);
+  assert.equal(ride.statistics.takeOffs, 1);
 });
 
 test("a column of ten beads that crosses cells never falls through its plate", async () => {
@@ -147,13 +147,13 @@ test("a column of ten beads that crosses cells never falls through its plate", a
   }
 });
 
-test("errors are thrown in carom's own words, and nothing traps", async () => {
+test("errors are thrown with carom's own messages, and nothing traps", async () => {
   const grain = { radius: 0.1, mass: 1, position: [0.5, 0.5] };
-  /** @param {object} more @param {RegExp} words */
-  const refused = (more, words) =>
+  /** @param {object} more @param {RegExp} message */
+  const refused = (more, message) =>
     assert.rejects(scene({ rule: elastic, grains: [grain], ...more }), (error) => {
       assert.ok(error instanceof CaromError);
-      assert.match(error.message, words);
+      assert.match(error.message, message);
       return true;
     });
   await refused({ grains: [grain, grain] }, /grain 1 and grain 0 overlap: their gap is -0\.2/);
@@ -167,23 +167,23 @@ test("errors are thrown in carom's own words, and nothing traps", async () => {
   await refused({ planes: Array(9).fill({ normal: [0, 1], offset: 0 }) }, /no place left: the list of planes/);
   await refused({ periodic: [[0, 0.25], null] }, /axis 0: length is 0\.25, must be/);
   await refused({ dimension: 4 }, /dimension is 4, must be 1, 2 or 3/);
-  await refused({ grains: Array(MOST_GRAINS + 1).fill(grain) }, /501 grains, must be at most 500/);
+  await refused({ grains: Array(MAX_GRAINS + 1).fill(grain) }, /501 grains, must be at most 500/);
   const fine = await scene({ rule: elastic, grains: [grain] });
   fine.advanceTo(1);
   assert.throws(() => fine.advanceTo(0.5), /t = 0\.5 is in the past: it is 1 now/);
   assert.throws(() => fine.setGravity([Infinity, 0]), /gravity is inf/);
 });
 
-test("outside the table: refused, counted, or integrated, as the page chooses", async () => {
+test("outside the table: an error, counted, or integrated, as the page chooses", async () => {
   const grains = [-1, 1].map((s) => ({ radius: 0.1, mass: 1, position: [s, 0], velocity: [-5 * s, 0] }));
   const soft = (/** @type {string} */ outside) =>
     scene({ rule: { material: "linear", stiffness: 100, damping: 0, outside }, grains });
   const rejecting = await soft("reject");
   assert.throws(() => rejecting.advanceTo(1), /outside the table's domain: e = 0/);
-  for (const [outside, counter] of [["hard-sphere", "hardSphere"], ["clamp", "clamped"]]) {
+  for (const [outside, statistic] of [["hard-sphere", "hardSphere"], ["clamp", "clamped"]]) {
     const run = await soft(outside);
     run.advanceTo(1);
-    assert.equal(/** @type {any} */ (run.counters)[counter], 1);
+    assert.equal(/** @type {any} */ (run.statistics)[statistic], 1);
   }
 });
 

@@ -1,4 +1,4 @@
-// Does the page work? Opens dist/ in Chromium; checks that all controls act, by mouse, keyboard and touch, without an error.
+// Does the page work? Opens dist/ in Chromium; checks that all controls work, by mouse, keyboard and touch, without an error.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
@@ -17,30 +17,30 @@ after(async () => {
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
-/** Opens an experiment, does something, and sees that nothing complained or left the page's own folder. */
-async function visit(/** @type {string} */ room, /** @type {object} */ options, /** @type {(page: import("playwright-core").Page) => Promise<void>} */ act) {
+/** Opens an experiment, does something, and sees that there was no message, and nothing left the page's own folder. */
+async function visit(/** @type {string} */ experiment, /** @type {object} */ options, /** @type {(page: import("playwright-core").Page) => Promise<void>} */ action) {
   const page = await browser.newPage(options);
   /** @type {string[]} */
-  const complaints = [];
-  page.on("console", (message) => message.type() !== "log" && complaints.push(message.text()));
-  page.on("pageerror", (error) => complaints.push(String(error)));
-  page.on("request", (request) => request.url().startsWith(server.url) || request.url().startsWith("data:") || complaints.push(request.url()));
-  await page.goto(`${server.url}#${room}`);
+  const messages = [];
+  page.on("console", (message) => message.type() !== "log" && messages.push(message.text()));
+  page.on("pageerror", (error) => messages.push(String(error)));
+  page.on("request", (request) => request.url().startsWith(server.url) || request.url().startsWith("data:") || messages.push(request.url()));
+  await page.goto(`${server.url}#${experiment}`);
   await page.waitForFunction(() => /** @type {any} */ (globalThis).caromFrames?.work.length > 3);
-  await act(page);
-  const trouble = page.locator("#trouble");
-  assert.equal((await trouble.isVisible()) ? await trouble.textContent() : "", "");
-  assert.deepEqual(complaints, []);
+  await action(page);
+  const error = page.locator("#error");
+  assert.equal((await error.isVisible()) ? await error.textContent() : "", "");
+  assert.deepEqual(messages, []);
   await page.close();
 }
 
 /** @typedef {import("playwright-core").Page} Page */
 const text = (/** @type {Page} */ page, /** @type {string} */ id) => page.locator(`#${id}`).textContent();
 
-/** Does something until what is shown has changed. @param {Page} page @param {string[]} ids @param {() => Promise<unknown>} act */
-async function changes(page, ids, act) {
+/** Does something until what is shown has changed. @param {Page} page @param {string[]} ids @param {() => Promise<unknown>} action */
+async function changes(page, ids, action) {
   const old = await Promise.all(ids.map((id) => text(page, id)));
-  await act();
+  await action();
   await page.waitForFunction(
     ([ids, old]) => ids.some((id, i) => document.getElementById(/** @type {string} */ (id))?.textContent !== old[i]),
     [ids, old],
@@ -81,11 +81,11 @@ async function settles(page, there) {
 test("tabs and theme: mouse, arrow keys, address", () =>
   visit("pair", { colorScheme: "light" }, async (page) => {
     await page.locator("#tab-pair").focus();
-    for (const [key, room] of [["ArrowRight", "tilt"], ["End", "column"], ["ArrowRight", "pair"], ["ArrowLeft", "column"]]) {
+    for (const [key, experiment] of [["ArrowRight", "tilt"], ["End", "column"], ["ArrowRight", "pair"], ["ArrowLeft", "column"]]) {
       await page.keyboard.press(key);
-      assert.equal(await page.locator(`#room-${room}`).isVisible(), true);
+      assert.equal(await page.locator(`#panel-${experiment}`).isVisible(), true);
       assert.equal(await page.locator("[role=tabpanel]:visible").count(), 1);
-      assert.match(page.url(), new RegExp(`#${room}$`));
+      assert.match(page.url(), new RegExp(`#${experiment}$`));
     }
     await page.click("#tab-tilt");
     assert.equal(await page.locator("#tab-tilt").getAttribute("aria-selected"), "true");
@@ -121,9 +121,9 @@ test("everything has a name that can be read out, and all that can be used can b
         .filter((e) => !(e.ariaLabel || e.textContent?.trim() || /** @type {HTMLInputElement} */ (e).labels?.length))
         .map((e) => e.id));
     assert.deepEqual(nameless, []);
-    for (const room of ["pair", "tilt", "column"]) {
-      await page.click(`#tab-${room}`);
-      const wanted = page.locator(`#room-${room} :is(button, input[type=range], canvas[tabindex]):visible`);
+    for (const experiment of ["pair", "tilt", "column"]) {
+      await page.click(`#tab-${experiment}`);
+      const wanted = page.locator(`#panel-${experiment} :is(button, input[type=range], canvas[tabindex]):visible`);
       const ids = await wanted.evaluateAll((all) => all.map((e) => e.id));
       const reached = new Set();
       for (let k = 0; k < ids.length + 6; k++) {
@@ -198,7 +198,7 @@ test("tilt box: keys, drag, buttons, sliders; frame time of 500 grains", () =>
     await changes(page, ["tilt-total"], () => page.check("input[name=tilt-method][value='emd*']"));
     await changes(page, ["tilt-total"], () => page.click("#tilt-reset"));
     await page.click("#tilt-play");
-    await page.waitForFunction(() => document.getElementById("tilt-pace")?.textContent === "paused");
+    await page.waitForFunction(() => document.getElementById("tilt-speed")?.textContent === "paused");
   }));
 
 test("tilt box on a phone: a finger, and the device's tilt", () =>

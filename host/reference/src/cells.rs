@@ -13,7 +13,7 @@ pub(crate) struct NearPair<const D: usize> {
     pub grain: u32,
     pub other: u32,
     /// R1 + R2.
-    pub reach: f64,
+    pub contact_distance: f64,
     pub shift: Vector<D>,
 }
 
@@ -103,9 +103,14 @@ impl<const D: usize> Neighbours<D> {
                 let d = minus(&from, &grid.at[slot]);
                 let (square, j) = (dot(&d, &d), grid.sorted[slot]);
                 if square < cutoff * cutoff && j as usize > i {
-                    let reach = radii[i] + radii[j as usize];
-                    if square < (reach + skin) * (reach + skin) {
-                        pairs.push(NearPair { grain: i as u32, other: j, reach, shift: *shift });
+                    let contact_distance = radii[i] + radii[j as usize];
+                    if square < (contact_distance + skin) * (contact_distance + skin) {
+                        pairs.push(NearPair {
+                            grain: i as u32,
+                            other: j,
+                            contact_distance,
+                            shift: *shift,
+                        });
                     }
                 }
             }

@@ -191,7 +191,7 @@ impl ContactLaw {
         self.spring(overlap, self.root(overlap)) + self.relaxation * rate
     }
 
-    /// ω(x) = √(K x^β/m), the pace of an elastic oscillation as wide as x.
+    /// ω(x) = √(K x^β/m), the frequency of an elastic oscillation as wide as x.
     pub(crate) fn frequency(&self, overlap: f64) -> f64 {
         let x = overlap.max(0.0);
         let power = match self.shape {

@@ -50,7 +50,7 @@ pub enum ReferenceError {
     /// No grains at all.
     #[error("number of grains = 0 should be at least 1")]
     Empty,
-    /// The adaptive integration cannot make progress (two centres meet, or a time scale below resolution).
+    /// The adaptive integration cannot make progress (two centres coincide, or a time scale below resolution).
     #[error("at time {time} the contact of grain {grain} cannot be resolved: {why}")]
     Unresolved {
         /// When.

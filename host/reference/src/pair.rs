@@ -81,10 +81,10 @@ fn touching<const D: usize>(
 ) -> Result<Cluster<D>, ReferenceError> {
     let [a, b] = grains;
     let (r, v) = (minus(&a.position, &b.position), minus(&a.velocity, &b.velocity));
-    let (distance, reach) = (length(&r), a.radius + b.radius);
+    let (distance, contact_distance) = (length(&r), a.radius + b.radius);
     let wrong = |what, value| ReferenceError::NotAnImpact { first: 0, second: 1, what, value };
-    if (distance / reach - 1.0).abs() > 1e-9 {
-        return Err(wrong("distance / (R1 + R2)", distance / reach));
+    if (distance / contact_distance - 1.0).abs() > 1e-9 {
+        return Err(wrong("distance / (R1 + R2)", distance / contact_distance));
     }
     let rate = 0.0 - dot(&r, &v) / distance;
     if rate <= 0.0 {

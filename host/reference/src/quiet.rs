@@ -16,8 +16,8 @@ pub struct Quiet {
 /// Why a run stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stop {
-    /// No contact exists and none can come: all fly apart.
-    Apart,
+    /// No contact exists and none can come: all have separated for good.
+    Separated,
     /// No contact has existed for the interval asked for.
     Quiet,
     /// The limit was reached.
@@ -27,7 +27,7 @@ pub enum Stop {
 /// Whether grains out of contact will never touch each other or a wall, by their free flight.
 ///
 /// In periodic boxes and under gravity, where that hardly ever happens, the answer is no.
-pub(crate) fn all_apart<const D: usize>(
+pub(crate) fn all_separated<const D: usize>(
     grains: &[Grain<D>],
     boundary: &[Boundary; D],
     gravity: &[f64; D],
@@ -57,9 +57,11 @@ fn clear<const D: usize>(grain: &Grain<D>, axis: usize, bound: &Boundary) -> boo
 
 fn misses<const D: usize>(a: &Grain<D>, b: &Grain<D>) -> bool {
     let (d, v) = (minus(&a.position, &b.position), minus(&a.velocity, &b.velocity));
-    let (reach, approach) = (a.radius + b.radius, dot(&d, &v));
+    let (contact_distance, approach) = (a.radius + b.radius, dot(&d, &v));
     approach >= 0.0
-        || quadratic(dot(&v, &v), 2.0 * approach, dot(&d, &d) - reach * reach)[0].is_none()
+        || quadratic(dot(&v, &v), 2.0 * approach, dot(&d, &d) - contact_distance * contact_distance)
+            [0]
+        .is_none()
 }
 
 #[cfg(test)]
@@ -77,14 +79,14 @@ mod tests {
     }
 
     #[test]
-    fn a_column_is_apart_when_its_velocities_are_in_order() {
+    fn a_column_is_separated_when_its_velocities_are_in_order() {
         let floor = [Boundary::Plate(crate::plate::Plate::fixed(0.0))];
-        let apart = |v| all_apart(&column(v), &floor, &[0.0]);
-        assert!(apart([0.0, 0.1, 0.2]));
-        assert!(apart([0.1, 0.1, 0.1]));
-        assert!(!apart([0.2, 0.1, 0.3]));
-        assert!(!apart([0.1, 0.3, 0.2]));
-        assert!(!apart([-0.1, 0.1, 0.2]));
-        assert!(!all_apart(&column([0.0, 0.1, 0.2]), &floor, &[-1.0]));
+        let separated = |v| all_separated(&column(v), &floor, &[0.0]);
+        assert!(separated([0.0, 0.1, 0.2]));
+        assert!(separated([0.1, 0.1, 0.1]));
+        assert!(!separated([0.2, 0.1, 0.3]));
+        assert!(!separated([0.1, 0.3, 0.2]));
+        assert!(!separated([-0.1, 0.1, 0.2]));
+        assert!(!all_separated(&column([0.0, 0.1, 0.2]), &floor, &[-1.0]));
     }
 }

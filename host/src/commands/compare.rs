@@ -29,9 +29,9 @@ const HEAD: [&str; 8] = [
     "collisions",
     "collisions_per_grain",
     "kinetic_energy",
-    "apart_median",
-    "apart_rms",
-    "apart_largest",
+    "difference_median",
+    "difference_rms",
+    "difference_max",
 ];
 
 /// Runs and compares.
@@ -75,7 +75,7 @@ fn rows(comparison: &Comparison) -> Result<Vec<u8>> {
     rows.write_record(HEAD)?;
     for summary in &comparison.methods {
         for point in &summary.series {
-            let numbers = point.apart.map(|apart| [apart.median, apart.rms, apart.largest]);
+            let numbers = point.difference.map(|of| [of.median, of.rms, of.max]);
             let numbers = numbers.map(|all| all.map(|x| format!("{x:?}"))).unwrap_or_default();
             let mut row = vec![
                 summary.method.file_stem().to_owned(),

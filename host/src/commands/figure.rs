@@ -69,14 +69,14 @@ pub struct DivergenceOptions {
     plot: Option<PathBuf>,
 }
 
-/// One way's errors, as JSON shows them.
+/// One variant's errors, as JSON shows them.
 #[derive(Serialize)]
 struct Row {
     method: &'static str,
     collision: usize,
     runs: usize,
     median: Option<f64>,
-    largest: Option<f64>,
+    max: Option<f64>,
 }
 
 /// Runs the study.
@@ -105,11 +105,11 @@ pub fn divergence(options: &DivergenceOptions) -> Result<()> {
 
 fn rows(errors: &Errors) -> impl Iterator<Item = Row> + '_ {
     errors.by_collision.iter().enumerate().map(|(k, list)| Row {
-        method: errors.way.name(),
+        method: errors.variant.name(),
         collision: k + 1,
         runs: list.len(),
         median: errors.median(k),
-        largest: errors.largest(k),
+        max: errors.max(k),
     })
 }
 
@@ -118,13 +118,13 @@ fn print(out: &mut impl Write, rows: &[Row]) -> Result<()> {
     writeln!(
         out,
         "  {:<22}{:>10}{:>7}{:>11}{:>11}",
-        "method", "collision", "runs", "median", "largest"
+        "method", "collision", "runs", "median", "max"
     )?;
     for row in rows {
         let show = |x: Option<f64>| x.map_or_else(|| "-".to_owned(), |x| format!("{x:.1e}"));
-        let (median, largest) = (show(row.median), show(row.largest));
+        let (median, max) = (show(row.median), show(row.max));
         let Row { method, collision, runs, .. } = row;
-        writeln!(out, "  {method:<22}{collision:>10}{runs:>7}{median:>11}{largest:>11}")?;
+        writeln!(out, "  {method:<22}{collision:>10}{runs:>7}{median:>11}{max:>11}")?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! `carom fluid`, `carom soak`: is it a fluid of hard spheres, and can anything stop it? Runs gases; writes what was measured beside published values.
 
 use crate::figure::hard::pressure::{self, Mean, Plan};
-use crate::figure::hard::{Fluid, Overlaps, Pace, Run, measure};
+use crate::figure::hard::{Fluid, Overlaps, Run, RunState, measure};
 use crate::progress::Progress;
 use anyhow::{Result, ensure};
 use clap::Args;
@@ -41,7 +41,7 @@ const LUE: &str = "Lue 2005, doi:10.1063/1.1834498";
 /// Measures all systems.
 ///
 /// # Errors
-/// What the engine says.
+/// An error of the engine.
 pub fn fluid(options: &FluidOptions) -> Result<()> {
     let blocks = if options.full { 200 } else { 20 };
     let progress = Progress::new("fluid", 3 * blocks);
@@ -112,14 +112,14 @@ fn print(out: &mut impl Write, rows: &[Row]) -> Result<()> {
     writeln!(
         out,
         "{:<28} {:<15} {:>9}   {:<7} {:>9} {:>9}  source",
-        "elastic hard spheres", "quantity", "measured", "error", "published", "apart"
+        "elastic hard spheres", "quantity", "measured", "error", "published", "diff."
     )?;
     for row in rows {
         let Row { system, quantity, measured, standard_error, published, source, .. } = row;
-        let apart = 100.0 * row.relative_difference;
+        let difference = 100.0 * row.relative_difference;
         writeln!(
             out,
-            "{system:<28} {quantity:<15} {measured:>9.5} ± {standard_error:.5} {published:>9.5} {apart:>+7.2} %  {source}"
+            "{system:<28} {quantity:<15} {measured:>9.5} ± {standard_error:.5} {published:>9.5} {difference:>+7.2} %  {source}"
         )?;
     }
     Ok(())
@@ -160,7 +160,7 @@ const LINES: u64 = 10;
 /// Runs.
 ///
 /// # Errors
-/// What the engine says, or what it should not have done.
+/// An error of the engine, or a broken invariant.
 pub fn soak(options: &SoakOptions) -> Result<()> {
     let SoakOptions { collisions, restitution, grains, density, seed } = *options;
     let fluid = Fluid { restitution, seed, ..Fluid::elastic(grains as usize, density) };
@@ -172,23 +172,23 @@ pub fn soak(options: &SoakOptions) -> Result<()> {
     let mut overlaps = Overlaps::new(fluid.grains);
     let progress = Progress::new("soak", collisions);
     let mut shown = 0;
-    let ran = gas.run(collisions, &mut overlaps, |pace| {
-        progress.add(pace.collisions - shown);
+    let ran = gas.run(collisions, &mut overlaps, |state| {
+        progress.add(state.collisions - shown);
         let tenth = |count: u64| count * LINES / collisions;
-        if tenth(pace.collisions) > tenth(shown) {
-            line(&mut out, pace, begin.elapsed().as_secs_f64())?;
+        if tenth(state.collisions) > tenth(shown) {
+            line(&mut out, state, begin.elapsed().as_secs_f64())?;
         }
-        shown = pace.collisions;
+        shown = state.collisions;
         Ok(())
     });
     drop(progress);
-    report(&mut out, &gas.pace, &overlaps)?;
+    report(&mut out, &gas.state, &overlaps)?;
     ran?;
-    judge(&gas.pace, &overlaps)
+    verify(&gas.state, &overlaps)
 }
 
-fn line(out: &mut impl Write, pace: &Pace, wall: f64) -> Result<()> {
-    let Pace { collisions, energy, units, time, .. } = pace;
+fn line(out: &mut impl Write, state: &RunState, wall: f64) -> Result<()> {
+    let RunState { collisions, energy, units, time, .. } = state;
     let power = |power: u32, sign: &str| match power {
         0 => String::new(),
         _ => format!(" × 2^{sign}{power}"),
@@ -198,10 +198,14 @@ fn line(out: &mut impl Write, pace: &Pace, wall: f64) -> Result<()> {
     Ok(out.flush()?)
 }
 
-fn report(out: &mut impl Write, pace: &Pace, overlaps: &Overlaps) -> Result<()> {
+fn report(out: &mut impl Write, state: &RunState, overlaps: &Overlaps) -> Result<()> {
     let share = overlaps.overlapping as f64 / overlaps.impacts.max(1) as f64;
-    writeln!(out, "  the unit of time was made 2^20 times longer: {} times", pace.units)?;
-    writeln!(out, "  the gas streamed without colliding and was stirred: {} times", pace.stirred)?;
+    writeln!(out, "  the unit of time was made 2^20 times longer: {} times", state.units)?;
+    writeln!(
+        out,
+        "  velocities drawn anew, of a gas that streamed without colliding: {} times",
+        state.redrawn
+    )?;
     writeln!(out, "  impacts {}, overlapping {share:.4}", overlaps.impacts)?;
     writeln!(out, "  impacts with a third grain overlapped: {}", overlaps.three_body)?;
     writeln!(out, "  deepest overlap: {:.3e}", -overlaps.deepest)?;
@@ -211,16 +215,16 @@ fn report(out: &mut impl Write, pace: &Pace, overlaps: &Overlaps) -> Result<()> 
         "  overlapping pairs that approach after an event: {}, at most at {:.1e} of their speed",
         overlaps.approaching, overlaps.fastest
     )?;
-    writeln!(out, "  events before their predecessor: {}", pace.backward)?;
-    writeln!(out, "  most collisions at one instant: {}", pace.at_once)?;
-    let statistics = pace.statistics.iter().map(|(name, count)| format!("{name} {count}"));
+    writeln!(out, "  events before their predecessor: {}", state.backward)?;
+    writeln!(out, "  most collisions at one instant: {}", state.at_once)?;
+    let statistics = state.statistics.iter().map(|(name, count)| format!("{name} {count}"));
     writeln!(out, "  statistics: {}", statistics.collect::<Vec<_>>().join(", "))?;
     Ok(())
 }
 
-/// What must not have happened.
-fn judge(pace: &Pace, overlaps: &Overlaps) -> Result<()> {
-    ensure!(pace.backward == 0, "{} events had a negative time step", pace.backward);
+/// The invariants.
+fn verify(state: &RunState, overlaps: &Overlaps) -> Result<()> {
+    ensure!(state.backward == 0, "{} events had a negative time step", state.backward);
     ensure!(
         overlaps.decrease < DEEPER,
         "an overlap became deeper by {:.1e}, more than {DEEPER:.1e}",

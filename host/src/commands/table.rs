@@ -61,13 +61,13 @@ struct Certified {
     law: &'static str,
     end: &'static str,
     bytes: usize,
-    domain: Reach,
-    /// Coefficients that one reading touches at most.
+    domain: Domain,
+    /// Coefficients that one lookup reads at most.
     terms: usize,
     /// Largest error at any of the points, times `margin`.
-    largest: Errors,
+    max: Errors,
     /// The error that 99.9 % of the points stay below.
-    usual: Errors,
+    quantile_999: Errors,
     points: usize,
     margin: f64,
     digest: String,
@@ -75,7 +75,7 @@ struct Certified {
 }
 
 #[derive(Debug, Serialize)]
-struct Reach {
+struct Domain {
     /// Smallest l~ cos(alpha).
     stiffness_min: f64,
     c_dis_max: f64,
@@ -84,7 +84,7 @@ struct Reach {
     /// Smallest eccentricity where l~ < 2: there a central pair may pass through.
     eccentricity_min: f64,
     /// Largest c_dis / (l~ cos(alpha)).
-    stick_max: f64,
+    c_dis_softness_max: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -127,15 +127,15 @@ fn certificate(size: Size, law: &'static str, c: &Certificate) -> Certified {
         },
         bytes: c.bytes,
         terms: c.terms,
-        domain: Reach {
+        domain: Domain {
             stiffness_min: 1.0 / c.domain.softness_max,
             c_dis_max: c.domain.c_dis_max,
             eccentricity_max: ((1.0 - cos) * (1.0 + cos)).sqrt(),
             eccentricity_min: c.domain.sin_min,
-            stick_max: c.domain.c_dis_softness_max,
+            c_dis_softness_max: c.domain.c_dis_softness_max,
         },
-        largest: Errors::new(&c.largest),
-        usual: Errors::new(&c.quantile_999),
+        max: Errors::new(&c.largest),
+        quantile_999: Errors::new(&c.quantile_999),
         points: c.points,
         margin: c.margin,
         digest: format!("{:016x}", c.digest),
@@ -162,8 +162,8 @@ fn print(sink: &mut dyn Write, all: &[Certified]) -> Result<()> {
     let mut rows = vec![HEAD.map(str::to_owned).to_vec()];
     for c in all {
         let d = &c.domain;
-        let mut row = vec![c.table.to_owned(), c.law.to_owned(), "largest".to_owned()];
-        row.extend(c.largest.texts());
+        let mut row = vec![c.table.to_owned(), c.law.to_owned(), "max".to_owned()];
+        row.extend(c.max.texts());
         row.extend([
             c.bytes.to_string(),
             rounded(d.stiffness_min),
@@ -173,7 +173,7 @@ fn print(sink: &mut dyn Write, all: &[Certified]) -> Result<()> {
         ]);
         rows.push(row);
         let mut row = vec![String::new(), String::new(), "99.9 %".to_owned()];
-        row.extend(c.usual.texts());
+        row.extend(c.quantile_999.texts());
         rows.push(row);
     }
     write_aligned(sink, &rows, 3)?;
@@ -212,7 +212,7 @@ pub struct CollideOptions {
     /// CSV with a header of at least id,law,k,gamma,Y,nu,A,R1,R2,m1,m2,v,e; law is lsd or
     /// viscoelastic; SI units; fields a law does not use stay empty.
     cases: PathBuf,
-    /// Predictor the coefficients up in a table, or integrate the contact equation to 1e-12.
+    /// Look the coefficients up in a table, or integrate the contact equation to 1e-12.
     #[arg(long, value_enum, default_value = "table")]
     with: With,
     /// Which table.
@@ -221,7 +221,7 @@ pub struct CollideOptions {
     /// Where a contact ends: when the force vanishes (MP13) or when the overlap does (L94).
     #[arg(long, value_enum, default_value = "force")]
     end: EndOption,
-    /// Outside the table's domain: give the answer of the nearest point inside.
+    /// Outside the table's domain: use the nearest point inside.
     #[arg(long, value_enum)]
     outside: Option<OutsideOption>,
 }
@@ -243,7 +243,7 @@ enum OutsideOption {
     Clamp,
 }
 
-/// Answers every case of the file.
+/// Computes every case of the file.
 ///
 /// # Errors
 /// A file that cannot be read, or its first bad row.

@@ -1,4 +1,4 @@
-//! How do the data of a figure become a picture? Reads a figure and how it is to look; writes a scene.
+//! How do the data of a figure become a picture? Reads a figure and its style; writes a scene.
 //!
 //! Lines, dots, error bars, a legend to the right, and the paper's numbers as grey dashed lines or open squares.
 
@@ -13,31 +13,31 @@ const DOT: f64 = 2.6;
 const PLACE: Rect = Rect { x: 66.0, y: 36.0, width: 350.0, height: 270.0 };
 
 /// Draws a figure.
-pub fn draw(figure: &Figure, look: &Predictor) -> Scene {
-    let legend = legend_width(figure, look);
-    let title = PLACE.x + text::width(&look.title, 11.0) + 16.0;
+pub fn draw(figure: &Figure, style: &PlotStyle) -> Scene {
+    let legend = legend_width(figure, style);
+    let title = PLACE.x + text::width(&style.title, 11.0) + 16.0;
     let mut scene = Scene::new((PLACE.x + PLACE.width + 20.0 + legend).max(title), 354.0);
-    scene.text([PLACE.x, 20.0], &look.title, Style::new(11.0, Colour::INK, Align::Left));
-    let panel = Panel { place: PLACE, x: axis(figure, look, 0), y: axis(figure, look, 1) };
-    for mark in &look.marks {
+    scene.text([PLACE.x, 20.0], &style.title, Style::new(11.0, Colour::INK, Align::Left));
+    let panel = Panel { place: PLACE, x: axis(figure, style, 0), y: axis(figure, style, 1) };
+    for mark in &style.marks {
         show_mark(&mut scene, &panel, mark);
     }
     for (number, series) in figure.series.iter().enumerate() {
-        curve(&mut scene, &panel, series, look.kind(number), look.colour(number));
+        curve(&mut scene, &panel, series, style.kind(number), style.colour(number));
     }
     panel.frame(&mut scene);
-    let [x, y] = look.labels.clone().unwrap_or([figure.axes.x.clone(), figure.axes.y.clone()]);
+    let [x, y] = style.labels.clone().unwrap_or([figure.axes.x.clone(), figure.axes.y.clone()]);
     panel.labels(&mut scene, &x, &y, 46.0);
-    entries(&mut scene, figure, look);
+    entries(&mut scene, figure, style);
     scene
 }
 
 /// The axis in direction 0 or 1, fitted to the data and marks if it is not given.
-fn axis(figure: &Figure, look: &Predictor, direction: usize) -> Axis {
-    let scale = [look.x, look.y][direction];
+fn axis(figure: &Figure, style: &PlotStyle, direction: usize) -> Axis {
+    let scale = [style.x, style.y][direction];
     let [low, high] = scale.range.unwrap_or_else(|| {
-        let all = figure.series.iter().flat_map(|s| reach(s, direction));
-        let marks = look.marks.iter().flat_map(|mark| mark.reach(direction));
+        let all = figure.series.iter().flat_map(|s| values(s, direction));
+        let marks = style.marks.iter().flat_map(|mark| mark.values(direction));
         let seen = |x: &f64| x.is_finite() && (!scale.logarithmic || *x > 0.0);
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
         let ends =
@@ -48,7 +48,7 @@ fn axis(figure: &Figure, look: &Predictor, direction: usize) -> Axis {
 }
 
 /// What a curve reaches, with its error bars.
-fn reach(series: &Series, direction: usize) -> Vec<f64> {
+fn values(series: &Series, direction: usize) -> Vec<f64> {
     let Series { x, y, yerr, .. } = series;
     if direction == 0 {
         return x.clone();
@@ -142,14 +142,14 @@ fn plain(name: &str) -> String {
     text
 }
 
-fn legend_width(figure: &Figure, look: &Predictor) -> f64 {
+fn legend_width(figure: &Figure, style: &PlotStyle) -> f64 {
     let names = figure.series.iter().map(|series| plain(&series.name));
-    let names = names.chain(look.marks.iter().map(|mark| mark.name().to_owned()));
+    let names = names.chain(style.marks.iter().map(|mark| mark.name().to_owned()));
     names.map(|name| text::width(&name, NAME)).fold(0.0, f64::max) + 40.0
 }
 
 /// The legend: a sample of each curve and mark, and its name.
-fn entries(scene: &mut Scene, figure: &Figure, look: &Predictor) {
+fn entries(scene: &mut Scene, figure: &Figure, style: &PlotStyle) {
     let left = PLACE.x + PLACE.width + 14.0;
     let mut y = PLACE.y + 8.0;
     let mut entry = |scene: &mut Scene, name: &str, pen: Option<Stroke>, dot: Option<Colour>| {
@@ -166,11 +166,11 @@ fn entries(scene: &mut Scene, figure: &Figure, look: &Predictor) {
         y += 14.5;
     };
     for (number, series) in figure.series.iter().enumerate() {
-        let (kind, colour) = (look.kind(number), look.colour(number));
+        let (kind, colour) = (style.kind(number), style.colour(number));
         let pen = (kind != Kind::Dots).then(|| Stroke::solid(colour, 1.5));
         entry(scene, &plain(&series.name), pen, (kind != Kind::Line).then_some(colour));
     }
-    for mark in look.marks.iter().filter(|mark| !mark.name().is_empty()) {
+    for mark in style.marks.iter().filter(|mark| !mark.name().is_empty()) {
         let pen = (!matches!(mark, Mark::Points(..))).then_some(MARKED);
         entry(scene, mark.name(), pen, None);
     }
@@ -222,12 +222,12 @@ pub enum Mark {
     Points(Vec<[f64; 2]>, String),
 }
 
-/// How a figure is to look. Texts take the marks of [`crate::plot::text`].
+/// How a figure is drawn. Texts take the marks of [`crate::plot::text`].
 #[derive(Clone, Debug)]
-pub struct Predictor {
+pub struct PlotStyle {
     /// Over the picture.
     pub title: String,
-    /// What stands along the axes, if it differs from the figure's own words.
+    /// What stands along the axes, if it differs from the figure's own labels.
     pub labels: Option<[String; 2]>,
     /// From left to right.
     pub x: Scale,
@@ -241,7 +241,7 @@ pub struct Predictor {
     pub marks: Vec<Mark>,
 }
 
-impl Predictor {
+impl PlotStyle {
     /// Lines with dots on linear axes.
     pub fn new(title: impl Into<String>) -> Self {
         Self {
@@ -300,7 +300,7 @@ impl Mark {
         }
     }
 
-    fn reach(&self, direction: usize) -> Vec<f64> {
+    fn values(&self, direction: usize) -> Vec<f64> {
         match self {
             Self::Level(y, _) if direction == 1 => vec![*y],
             Self::Place(x, _) if direction == 0 => vec![*x],
@@ -312,7 +312,7 @@ impl Mark {
     }
 }
 
-/// Told apart by the colour-blind too.
+/// Distinct for the colour-blind too.
 const PALETTE: [Colour; 8] = [
     Colour::INK,
     Colour::EMD,

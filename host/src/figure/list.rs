@@ -80,12 +80,12 @@ const MP13: &[Entry] = &[
 ];
 
 /// Points of a curve that are printed.
-const MOST: usize = 40;
+const MAX_ROWS: usize = 40;
 
 /// Prints the data, then the comparison with the paper.
 ///
 /// # Errors
-/// What the sink says.
+/// An error of the sink.
 pub fn print(out: &mut impl Write, what: &str, made: &Made) -> Result<()> {
     let Figure { id, axes, series } = &made.figure;
     writeln!(out, "{id}: {what}")?;
@@ -103,7 +103,7 @@ fn curve(out: &mut impl Write, series: &Series) -> Result<()> {
     let params: Vec<_> = series.params.iter().map(|(k, v)| format!("{k} = {}", shown(v))).collect();
     writeln!(out, "\n  {} ({})", series.name, params.join(", "))?;
     let count = series.x.len();
-    let every = count.div_ceil(MOST).max(1);
+    let every = count.div_ceil(MAX_ROWS).max(1);
     if every > 1 {
         writeln!(out, "    (one of {every} of {count} points; --json prints all)")?;
     }

@@ -1,7 +1,7 @@
-//! By which method does a scenario run, and what can be asked of it? Reads a scenario; writes nothing, lends one running method.
+//! By which method does a scenario run, and what does every method have? Reads a scenario; writes nothing, hands out one running method.
 
-mod ask;
-mod choose;
+mod from_scenario;
+mod implementations;
 
-pub use ask::{EventDriven, ForceBased, Logged, Method};
-pub use choose::{force_law, rule, with};
+pub use from_scenario::{force_law, rule, with};
+pub use implementations::{EventDriven, ForceBased, LoggedEvent, Method};

@@ -140,11 +140,11 @@ impl Panel {
     }
 
     /// Names the axes.
-    pub fn labels(&self, scene: &mut Scene, x: &str, y: &str, room: f64) {
+    pub fn labels(&self, scene: &mut Scene, x: &str, y: &str, margin: f64) {
         let Rect { x: left, y: top, width, height } = self.place;
         let style = Style::new(NORMAL, Colour::INK, Align::Middle);
         scene.text([left + width / 2.0, top + height + 17.0 + NORMAL], x, style);
-        scene.text([left - room, top + height / 2.0], y, style.upwards());
+        scene.text([left - margin, top + height / 2.0], y, style.upwards());
     }
 
     /// A title over the frame, at its left end.
@@ -209,7 +209,7 @@ pub fn colour_bar(scene: &mut Scene, place: Rect, low: f64, high: f64) {
     let columns = 256;
     let values = (0..columns).map(|k| k as f64 / (columns - 1) as f64).collect();
     Field { columns, values }.draw(scene, place, 0.0, 1.0);
-    // Numbers with two decimals need more room.
+    // Numbers with two decimals need more space.
     let x = Axis::linear(low, high, if high - low < 0.3 { 3 } else { 4 });
     Panel { place, x, y: Axis::with_ticks(0.0, 1.0, Vec::new()) }.frame(scene);
 }

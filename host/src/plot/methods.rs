@@ -3,8 +3,8 @@
 use super::axes::{Axis, Panel};
 use super::scene::{Colour, Rect, Scene, Stroke};
 use super::text::{Align, Style};
-use crate::compare::{Apart, Comparison, Point, Summary};
-use crate::divergence::{Errors, Way};
+use crate::compare::{Comparison, Difference, Point, Summary};
+use crate::divergence::{Errors, Variant};
 use crate::method::{self, Method};
 use crate::scenario::{MethodName, Scenario, Start};
 use anyhow::Result;
@@ -26,7 +26,7 @@ struct Paths {
 /// Draws the figure: MD and eMD on the left, MD and eMD* on the right.
 ///
 /// # Errors
-/// What a method says.
+/// An error of a method.
 pub fn fig6(scenario: &Scenario) -> Result<Scene> {
     let start = Start::new(scenario)?;
     let paths = |name| method::with(name, scenario, &start, |method| follow(method, scenario));
@@ -221,7 +221,7 @@ fn cost(summary: &Summary) -> String {
 }
 
 fn error(scene: &mut Scene, comparison: &Comparison) {
-    let end = comparison.judged_until;
+    let end = comparison.reference_until;
     let place = Rect { x: 424.0, y: TOP, width: 290.0, height: TALL };
     let panel = Panel { place, x: Axis::linear(0.0, end, 6), y: Axis::logarithmic(1e-12, 1e2) };
     let radius = Stroke::dashed(Colour::FAINT, 0.9, 4.0, 3.0);
@@ -230,11 +230,11 @@ fn error(scene: &mut Scene, comparison: &Comparison) {
     let small = Style::new(8.5, Colour::INK, Align::Left);
     scene.text([x + 0.52 * place.width, y + 10.0], "one radius", small);
     let mut legend = Vec::new();
-    for summary in comparison.methods.iter().filter(|s| s.method != comparison.judge) {
+    for summary in comparison.methods.iter().filter(|s| s.method != comparison.reference) {
         let pen = Stroke::solid(tone(summary.method), 1.6);
         let thin = Stroke::dashed(tone(summary.method).with_opacity(0.75), 1.0, 2.0, 2.0);
-        panel.line(scene, &curve(comparison, summary, |apart| apart.median), pen);
-        panel.line(scene, &curve(comparison, summary, |apart| apart.largest), thin);
+        panel.line(scene, &curve(comparison, summary, |of| of.median), pen);
+        panel.line(scene, &curve(comparison, summary, |of| of.max), thin);
         legend.push((name(summary), pen));
     }
     panel.frame(scene);
@@ -244,15 +244,15 @@ fn error(scene: &mut Scene, comparison: &Comparison) {
 }
 
 /// A line in the logarithmic panel; zeros are left out.
-fn curve(comparison: &Comparison, summary: &Summary, of: fn(&Apart) -> f64) -> Vec<[f64; 2]> {
+fn curve(comparison: &Comparison, summary: &Summary, of: fn(&Difference) -> f64) -> Vec<[f64; 2]> {
     let value = |point: &Point| {
-        let apart = of(point.apart.as_ref()?) / comparison.mean_radius;
-        Some([point.time, if apart > 0.0 { apart } else { f64::NAN }])
+        let difference = of(point.difference.as_ref()?) / comparison.mean_radius;
+        Some([point.time, if difference > 0.0 { difference } else { f64::NAN }])
     };
     summary.series.iter().filter_map(value).collect()
 }
 
-/// Draws median (solid) and largest error (dotted) of each way after each collision.
+/// Draws median (solid) and largest error (dotted) of each variant after each collision.
 pub fn divergence(study: &[Errors], runs: usize) -> Scene {
     let mut scene = Scene::new(470.0, 380.0);
     let style = Style::new(11.0, Colour::INK, Align::Left);
@@ -267,15 +267,15 @@ pub fn divergence(study: &[Errors], runs: usize) -> Scene {
     };
     let mut legend = Vec::new();
     for errors in study {
-        let way_tone = way_tone(errors.way);
-        let pen = Stroke::solid(way_tone, 1.8);
-        let thin = Stroke::dashed(way_tone.with_opacity(0.75), 1.0, 2.0, 2.0);
+        let tone = variant_tone(errors.variant);
+        let pen = Stroke::solid(tone, 1.8);
+        let thin = Stroke::dashed(tone.with_opacity(0.75), 1.0, 2.0, 2.0);
         panel.line(&mut scene, &error_curve(errors, Errors::median), pen);
-        panel.line(&mut scene, &error_curve(errors, Errors::largest), thin);
+        panel.line(&mut scene, &error_curve(errors, Errors::max), thin);
         for [x, y] in error_curve(errors, Errors::median) {
-            panel.dot(&mut scene, x, y, 2.4, way_tone);
+            panel.dot(&mut scene, x, y, 2.4, tone);
         }
-        legend.push((errors.way.name().replace('*', "∗"), pen));
+        legend.push((errors.variant.name().replace('*', "∗"), pen));
     }
     panel.frame(&mut scene);
     panel.labels(&mut scene, "collision number", "distance from exact MD [*l*]", 44.0);
@@ -290,10 +290,10 @@ fn error_curve(errors: &Errors, of: fn(&Errors, usize) -> Option<f64>) -> Vec<[f
     (0..errors.by_collision.len()).filter_map(value).collect()
 }
 
-fn way_tone(way: Way) -> Colour {
-    match way {
-        Way::Integrated => Colour::INK,
-        Way::Table => Colour::EMD_STAR,
-        Way::HardSphere => Colour::EMD,
+fn variant_tone(variant: Variant) -> Colour {
+    match variant {
+        Variant::Integrated => Colour::INK,
+        Variant::Table => Colour::EMD_STAR,
+        Variant::HardSphere => Colour::EMD,
     }
 }

@@ -103,7 +103,7 @@ pub(super) fn scatter(
         let mass = sphere_mass(radius, gas.density);
         grains.push(Placed { radius, mass, position, velocity: [0.0; 3] });
     }
-    stir(&mut rng, gas.thermal_speed, dimension, &mut grains[first..]);
+    draw_velocities(&mut rng, gas.thermal_speed, dimension, &mut grains[first..]);
     Ok(())
 }
 
@@ -116,21 +116,21 @@ fn find_place(
     grains: &[Placed],
     number: usize,
 ) -> Result<[f64; 3]> {
-    let mut room = [[0.0; 2]; 3];
-    for (axis, room) in room.iter_mut().enumerate().take(dimension) {
-        *room = match sides[axis] {
+    let mut range = [[0.0; 2]; 3];
+    for (axis, range) in range.iter_mut().enumerate().take(dimension) {
+        *range = match sides[axis] {
             Side::Periodic(range) => range,
             Side::Soft([from, to]) | Side::Hard([from, to], _) => [from + radius, to - radius],
             Side::Open | Side::Plate(..) => {
                 bail!("box.{}: a gas needs every axis walled or periodic", ["x", "y", "z"][axis])
             }
         };
-        if room[0] > room[1] {
+        if range[0] > range[1] {
             bail!("gas.radius is {radius}, does not fit between the walls");
         }
     }
     for _ in 0..TRIES {
-        let position = room.map(|[from, to]| from + (to - from) * rng.random::<f64>());
+        let position = range.map(|[from, to]| from + (to - from) * rng.random::<f64>());
         if cells.is_free(&position, radius, grains) {
             return Ok(position);
         }
@@ -141,7 +141,7 @@ fn find_place(
 }
 
 /// Normal velocities of variance v_th²/2 a component, total momentum zero.
-fn stir(rng: &mut Pcg64, thermal_speed: f64, dimension: usize, grains: &mut [Placed]) {
+fn draw_velocities(rng: &mut Pcg64, thermal_speed: f64, dimension: usize, grains: &mut [Placed]) {
     let width = thermal_speed / 2f64.sqrt();
     for grain in grains.iter_mut() {
         for v in &mut grain.velocity[..dimension] {
@@ -194,7 +194,7 @@ impl<'a> Cells<'a> {
 
     fn is_free(&self, position: &[f64; 3], radius: f64, grains: &[Placed]) -> bool {
         let home: [i64; 3] = std::array::from_fn(|axis| self.cell(axis, position[axis]));
-        let apart = |number: &usize| {
+        let separate = |number: &usize| {
             let other = &grains[*number];
             let square: f64 = (0..3)
                 .map(|k| self.sides[k].nearest(position[k] - other.position[k]).powi(2))
@@ -207,7 +207,7 @@ impl<'a> Cells<'a> {
                 Side::Periodic(_) => (home[axis] + shift[axis]).rem_euclid(self.count(axis)),
                 _ => home[axis] + shift[axis],
             });
-            self.members.get(&key).is_none_or(|members| members.iter().all(apart))
+            self.members.get(&key).is_none_or(|members| members.iter().all(separate))
         })
     }
 }

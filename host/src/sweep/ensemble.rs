@@ -34,7 +34,7 @@ pub fn sweep(plan: &Plan, shard: [usize; 2], out: &Path) -> Result<Report> {
         if n == 1 { out.to_owned() } else { out.with_extension(format!("{i}-of-{n}.parquet")) };
     let mine: Vec<usize> = (i - 1..plan.source.runs).step_by(n).collect();
     if file.exists() {
-        return already(plan, &file, shard);
+        return finished(plan, &file, shard);
     }
     if let Some(folder) = file.parent().filter(|folder| *folder != Path::new("")) {
         std::fs::create_dir_all(folder)
@@ -57,7 +57,7 @@ pub fn sweep(plan: &Plan, shard: [usize; 2], out: &Path) -> Result<Report> {
     Ok(Report { file, runs: report.0, fresh: report.1, failed })
 }
 
-fn already(plan: &Plan, file: &Path, shard: [usize; 2]) -> Result<Report> {
+fn finished(plan: &Plan, file: &Path, shard: [usize; 2]) -> Result<Report> {
     let rows = Rows::read(file)?;
     if rows.source != plan.source || rows.shard.unwrap_or([1, 1]) != shard {
         bail!(
@@ -101,7 +101,7 @@ fn rows(plan: &Plan, shard: Option<[usize; 2]>, done: &[Done]) -> Result<Rows> {
     let mut columns = vec![whole("run".to_owned())];
     columns.extend(plan.columns());
     columns.extend(run::columns());
-    columns.extend(statistics.iter().map(|name| whole(format!("{}{name}", COUNTER))));
+    columns.extend(statistics.iter().map(|name| whole(format!("{STATISTIC}{name}"))));
     let row = |done: &Done| -> Result<Vec<Cell>> {
         let mut row = vec![Cell::Whole(i64::try_from(done.run)?)];
         row.extend(plan.run(done.run)?.cells);
@@ -126,7 +126,7 @@ impl Rows {
 }
 
 /// Columns of statistics are called so: runs may differ in which they have.
-const COUNTER: &str = "statistics.";
+const STATISTIC: &str = "statistics.";
 
 /// Puts the shards of one sweep together, in whatever order they are named.
 ///
@@ -150,14 +150,14 @@ pub fn merge(files: &[PathBuf]) -> Result<Rows> {
 
 /// Those of the first shard that are not statistics, and then all statistics in alphabetical order.
 fn columns(shards: &[Rows]) -> Vec<Column> {
-    let is_counter = |column: &&Column| column.name.starts_with(COUNTER);
+    let is_statistic = |column: &&Column| column.name.starts_with(STATISTIC);
     let fixed = shards.iter().take(1).flat_map(|shard| &shard.columns);
     let statistics: BTreeMap<&str, &Column> = shards
         .iter()
-        .flat_map(|shard| shard.columns.iter().filter(is_counter))
+        .flat_map(|shard| shard.columns.iter().filter(is_statistic))
         .map(|column| (column.name.as_str(), column))
         .collect();
-    fixed.filter(|column| !is_counter(column)).chain(statistics.into_values()).cloned().collect()
+    fixed.filter(|column| !is_statistic(column)).chain(statistics.into_values()).cloned().collect()
 }
 
 /// The rows of a shard with a cell for each of these columns.

@@ -28,8 +28,8 @@ pub struct Run {
     pub cells: Vec<Cell>,
 }
 
-/// More runs than this are a slip of the pen.
-const MOST: usize = 10_000_000;
+/// More runs than this are taken for a mistake.
+const MAX_RUNS: usize = 10_000_000;
 
 impl Plan {
     /// Reads a sweep file and its scenario, and checks every run.
@@ -56,8 +56,8 @@ impl Plan {
             None => Scenario::parse(&text).with_context(|| spec.scenario.clone())?.chosen_methods(),
         };
         let runs = axes.iter().try_fold(methods.len(), |n, axis| n.checked_mul(axis.points.len()));
-        let Some(runs) = runs.filter(|&runs| runs <= MOST) else {
-            bail!("there are more than {MOST} runs; split the sweep");
+        let Some(runs) = runs.filter(|&runs| runs <= MAX_RUNS) else {
+            bail!("there are more than {MAX_RUNS} runs; split the sweep");
         };
         let version = env!("CARGO_PKG_VERSION").to_owned();
         let source = Source { sweep, scenario: text, version, runs };

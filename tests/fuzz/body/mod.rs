@@ -1,9 +1,9 @@
 //! What must hold for any bytes? A world that is stepped, a scenario that is run; reads bytes, panics if it does not hold.
 
-pub mod draw;
-pub mod judge;
-pub mod play;
+pub mod input;
+pub mod invariants;
 pub mod rule;
+pub mod run;
 pub mod scenario;
-pub mod snapshot;
+pub mod tampered_snapshot;
 pub mod world;

@@ -5,23 +5,25 @@ use carom_host::method::{self, Method};
 use carom_host::scenario::{LawSpec, MethodName, Scenario, Start};
 
 /// Grains that one input may have; more say nothing new.
-const MOST: usize = 60;
+const MAX_GRAINS: usize = 60;
 /// Events that one input may take.
 const EVENTS: u64 = 3000;
-/// Looks at one input: each goes twice as far as the one before.
-const LOOKS: i32 = 60;
+/// Advances of one input: each goes twice as far as the one before.
+const ADVANCES: i32 = 60;
 
 /// Parses a scenario, starts it and runs it by every event-driven method.
 ///
 /// # Errors
-/// Why it was refused, for whoever wants to know.
+/// Why it was refused.
 pub fn run(bytes: &[u8]) -> Result<()> {
     let Ok(text) = std::str::from_utf8(bytes) else { return Ok(()) };
     one_line(Scenario::parse(text)).and_then(|scenario| started(&scenario))
 }
 
 fn started(scenario: &Scenario) -> Result<()> {
-    if scenario.gas.as_ref().is_some_and(|gas| gas.count > MOST) || scenario.grains.len() > MOST {
+    if scenario.gas.as_ref().is_some_and(|gas| gas.count > MAX_GRAINS)
+        || scenario.grains.len() > MAX_GRAINS
+    {
         return Ok(());
     }
     let start = one_line(Start::new(scenario))?;
@@ -30,16 +32,16 @@ fn started(scenario: &Scenario) -> Result<()> {
         _ => &[MethodName::Emd, MethodName::EmdStar],
     };
     methods.iter().try_for_each(|name| {
-        one_line(method::with(*name, scenario, &start, |method| go(method, scenario)))
+        one_line(method::with(*name, scenario, &start, |method| advance(method, scenario)))
     })
 }
 
 /// Doubles the time until the events are used up or the scenario is over.
-fn go(method: &mut dyn Method, scenario: &Scenario) -> Result<()> {
+fn advance(method: &mut dyn Method, scenario: &Scenario) -> Result<()> {
     let end = scenario.duration.unwrap_or(1e6 * scenario.sample);
-    for look in (0..LOOKS).rev() {
+    for remaining in (0..ADVANCES).rev() {
         let before = method.time();
-        method.advance_to(end * 0.5_f64.powi(look))?;
+        method.advance_to(end * 0.5_f64.powi(remaining))?;
         assert!(method.time() >= before, "time went back from {before} to {}", method.time());
         assert!(!method.kinetic_energy().is_nan(), "kinetic energy is not a number");
         let events: u64 = method.statistics().iter().map(|(_, count)| count).sum();

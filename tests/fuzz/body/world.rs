@@ -1,9 +1,9 @@
-//! Which world do these bytes describe? Reads bytes; writes nothing, panics if the world breaks a promise.
+//! Which world do these bytes describe? Reads bytes; writes nothing, panics if the world breaks an invariant.
 
-use super::draw::Draw;
-use super::judge::Judge;
-use super::play::play;
-use super::rule::{self, Drawn};
+use super::input::Input;
+use super::invariants::Invariants;
+use super::rule::{self, DrawnRule};
+use super::run::run_world;
 use carom::law::Rule;
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::{NoRule, WorldBuilder};
@@ -12,48 +12,48 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 /// As many grains as a fuzzed world can hold, and as many cells.
-pub const MOST: usize = 40;
+pub const MAX_GRAINS: usize = 40;
 
 /// Everything a fuzzed world is made of.
-pub type Store<S, const D: usize> = Memory<S, D, MOST>;
+pub type FuzzMemory<S, const D: usize> = Memory<S, D, MAX_GRAINS>;
 
-/// Builds a world, steps it, and judges it on the way.
+/// Builds a world, steps it, and checks the invariants on the way.
 ///
 /// # Errors
-/// The fault with which it refused, for whoever wants to know.
+/// The error with which the world refused or stopped.
 pub fn run(bytes: &[u8]) -> Result<(), Error> {
-    let mut draw = Draw::new(bytes);
-    match draw.below(6) {
-        0 => of::<f64, 1>(&mut draw),
-        1 => of::<f64, 2>(&mut draw),
-        2 => of::<f64, 3>(&mut draw),
-        3 => of::<f32, 1>(&mut draw),
-        4 => of::<f32, 2>(&mut draw),
-        _ => of::<f32, 3>(&mut draw),
+    let mut input = Input::new(bytes);
+    match input.below(6) {
+        0 => run_as::<f64, 1>(&mut input),
+        1 => run_as::<f64, 2>(&mut input),
+        2 => run_as::<f64, 3>(&mut input),
+        3 => run_as::<f32, 1>(&mut input),
+        4 => run_as::<f32, 2>(&mut input),
+        _ => run_as::<f32, 3>(&mut input),
     }
 }
 
-fn of<S, const D: usize>(draw: &mut Draw<'_>) -> Result<(), Error>
+fn run_as<S, const D: usize>(input: &mut Input<'_>) -> Result<(), Error>
 where
     S: Scalar + Serialize + DeserializeOwned,
 {
-    let Drawn { rule, gain } = rule::rule::<S>(draw);
-    let sites = Sites::new(draw);
-    let mut memory = Box::new(Store::<S, D>::new());
-    let mut setup = World::builder(&mut *memory);
+    let DrawnRule { rule, energy_gain } = rule::rule::<S>(input);
+    let sites = Sites::new(input);
+    let mut memory = Box::new(FuzzMemory::<S, D>::new());
+    let mut builder = World::builder(&mut *memory);
     for axis in 0..D {
-        setup = side(setup, draw, axis, &sites);
+        builder = side(builder, input, axis, &sites);
     }
     let gravity =
-        std::array::from_fn(|_| if draw.below(2) == 0 { S::zero() } else { draw.number() });
-    let setup = tilted(setup, draw).gravity(gravity).release(release(draw));
-    let setup = if draw.below(8) == 7 { setup.tc(draw.number()) } else { setup };
+        std::array::from_fn(|_| if input.below(2) == 0 { S::zero() } else { input.number() });
+    let builder = tilted(builder, input).gravity(gravity).release(release(input));
+    let builder = if input.below(8) == 7 { builder.tc(input.number()) } else { builder };
     let grains: Vec<Grain<S, D>> =
-        (0..draw.below(MOST as u8 + 1)).map(|i| grain(draw, i.into(), &sites)).collect();
-    let setup = setup.rule(&*rule as &dyn Rule<S>).grains(grains)?;
-    let world = setup.start()?;
-    let judge = Judge::new(&world, gain);
-    play(world, &*rule, draw, judge, 0)
+        (0..input.below(MAX_GRAINS as u8 + 1)).map(|i| grain(input, i.into(), &sites)).collect();
+    let builder = builder.rule(&*rule as &dyn Rule<S>).grains(grains)?;
+    let world = builder.start()?;
+    let invariants = Invariants::new(&world, energy_gain);
+    run_world(world, &*rule, input, invariants, 0)
 }
 
 /// Lattice sites on which the grains start, so that most worlds do.
@@ -63,8 +63,8 @@ struct Sites {
 }
 
 impl Sites {
-    fn new(draw: &mut Draw<'_>) -> Self {
-        Self { spacing: draw.size(), side: 1 + usize::from(draw.below(6)) }
+    fn new(input: &mut Input<'_>) -> Self {
+        Self { spacing: input.size(), side: 1 + usize::from(input.below(6)) }
     }
 
     fn length(&self) -> f64 {
@@ -74,83 +74,83 @@ impl Sites {
 
 /// One axis: open, periodic, soft walls or hard ones, tight or with some room, at rest or shaken.
 fn side<'m, S: Scalar, const D: usize>(
-    setup: WorldBuilder<'m, S, D, NoRule>,
-    draw: &mut Draw<'_>,
+    builder: WorldBuilder<'m, S, D, NoRule>,
+    input: &mut Input<'_>,
     axis: usize,
     sites: &Sites,
 ) -> WorldBuilder<'m, S, D, NoRule> {
-    let kind = draw.below(8);
-    let slack = if draw.below(2) == 0 { 0.0 } else { draw.size() };
+    let kind = input.below(8);
+    let slack = if input.below(2) == 0 { 0.0 } else { input.size() };
     let (low, high) = (S::zero(), S::from_f64(sites.length() + slack));
     let surface = match kind {
-        0 => return setup,
-        1..=3 => return setup.periodic_axis(axis, [low, high]),
-        4 => return setup.periodic_axis(axis, [draw.number(), draw.number()]),
+        0 => return builder,
+        1..=3 => return builder.periodic_axis(axis, [low, high]),
+        4 => return builder.periodic_axis(axis, [input.number(), input.number()]),
         5 => Surface::Rule,
-        _ => Surface::Hard(draw.fraction()),
+        _ => Surface::Hard(input.fraction()),
     };
-    let shaken = vibration(draw);
+    let shaken = vibration(input);
     let plane = |at: S, facing: f64| {
         let mut normal = [S::zero(); D];
         normal[axis] = S::from_f64(facing);
         let plane = Plane::new(normal, at * S::from_f64(facing), surface);
         Plane { vibration: shaken, ..plane }
     };
-    setup.plane(plane(low, 1.0)).plane(plane(high, -1.0))
+    builder.plane(plane(low, 1.0)).plane(plane(high, -1.0))
 }
 
-/// How a plate moves: not at all, tamely, or by numbers that may be anything.
-fn vibration<S: Scalar>(draw: &mut Draw<'_>) -> Option<Vibration<S>> {
-    let (amplitude, frequency) = match draw.below(8) {
+/// How a plate moves: not at all, moderately, or by numbers that may be anything.
+fn vibration<S: Scalar>(input: &mut Input<'_>) -> Option<Vibration<S>> {
+    let (amplitude, frequency) = match input.below(8) {
         0..=3 => return None,
-        4..=6 => (draw.fraction(), S::from_f64(draw.size())),
-        _ => (draw.number(), draw.number()),
+        4..=6 => (input.fraction(), S::from_f64(input.size())),
+        _ => (input.number(), input.number()),
     };
-    Some(Vibration::new(amplitude, frequency).starting_at(draw.fraction()))
+    Some(Vibration::new(amplitude, frequency).starting_at(input.fraction()))
 }
 
 /// Sometimes a plane that stands across no axis, or is not one.
 fn tilted<'m, S: Scalar, const D: usize>(
-    setup: WorldBuilder<'m, S, D, NoRule>,
-    draw: &mut Draw<'_>,
+    builder: WorldBuilder<'m, S, D, NoRule>,
+    input: &mut Input<'_>,
 ) -> WorldBuilder<'m, S, D, NoRule> {
-    let kind = draw.below(16);
+    let kind = input.below(16);
     if kind < 12 {
-        return setup;
+        return builder;
     }
     let mut normal: [S; D] = std::array::from_fn(|axis| S::from_f64([0.6, 0.8, 0.0][axis]));
     if kind == 15 {
-        normal = std::array::from_fn(|_| draw.number());
+        normal = std::array::from_fn(|_| input.number());
     }
-    let offset = draw.number();
-    let surface = if draw.below(2) == 0 { Surface::Rule } else { Surface::Hard(draw.fraction()) };
-    setup.plane(Plane { vibration: vibration(draw), ..Plane::new(normal, offset, surface) })
+    let offset = input.number();
+    let surface = if input.below(2) == 0 { Surface::Rule } else { Surface::Hard(input.fraction()) };
+    builder.plane(Plane { vibration: vibration(input), ..Plane::new(normal, offset, surface) })
 }
 
-fn release(draw: &mut Draw<'_>) -> Release {
-    if draw.below(4) == 0 { Release::Independent } else { Release::Paired }
+fn release(input: &mut Input<'_>) -> Release {
+    if input.below(4) == 0 { Release::Independent } else { Release::Paired }
 }
 
 /// A grain on its site, up to touching its neighbours; now and then anywhere.
-fn grain<S: Scalar, const D: usize>(draw: &mut Draw<'_>, i: usize, sites: &Sites) -> Grain<S, D> {
-    let (shape, wild) = (draw.byte(), draw.below(32) == 31);
+fn grain<S: Scalar, const D: usize>(input: &mut Input<'_>, i: usize, sites: &Sites) -> Grain<S, D> {
+    let (shape, extreme) = (input.byte(), input.below(32) == 31);
     // Half of all grains fill their site exactly: then everything happens at once.
     let share = if shape < 128 { 1.0 } else { f64::from(shape) / 256.0 };
     let radius = S::from_f64(sites.spacing * 0.5 * share);
     let free = sites.spacing * (1.0 - share);
     let at = std::array::from_fn(|axis| {
-        if wild {
-            return draw.number();
+        if extreme {
+            return input.number();
         }
         let site = (i / sites.side.pow(axis as u32)) % sites.side;
-        let off = if share < 1.0 { f64::from(draw.byte()) / 255.0 - 0.5 } else { 0.0 };
+        let off = if share < 1.0 { f64::from(input.byte()) / 255.0 - 0.5 } else { 0.0 };
         S::from_f64(sites.spacing * (site as f64 + 0.5) + free * off)
     });
-    let mass = match draw.below(16) {
+    let mass = match input.below(16) {
         0..=9 => S::one(),
-        10..=14 => S::from_f64(draw.size()),
-        _ => draw.number(),
+        10..=14 => S::from_f64(input.size()),
+        _ => input.number(),
     };
-    let moving = std::array::from_fn(|_| draw.number());
-    Grain::with_mass(radius, mass).at(at).moving(moving).of_material(draw.below(3))
+    let moving = std::array::from_fn(|_| input.number());
+    Grain::with_mass(radius, mass).at(at).moving(moving).of_material(input.below(3))
 }

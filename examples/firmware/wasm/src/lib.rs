@@ -5,32 +5,32 @@
 use core::sync::atomic::{AtomicU64, Ordering};
 
 use carom::scalar::I32F32;
-use carom_scenes::replay::{Run, Told, replay};
-use carom_scenes::{Event, Scene};
+use carom_scenes::replay::{Run, Selection, replay};
+use carom_scenes::{EventDigest, Scene};
 
-/// How many digests one replay can tell.
-const MOST: usize = 1024;
+/// How many digests one replay can return.
+const MAX_DIGESTS: usize = 1024;
 
-static DIGESTS: [AtomicU64; MOST] = [const { AtomicU64::new(0) }; MOST];
+static DIGESTS: [AtomicU64; MAX_DIGESTS] = [const { AtomicU64::new(0) }; MAX_DIGESTS];
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     core::arch::wasm32::unreachable()
 }
 
-/// Replays a scene in a number type (0: `f32`, 1: `f64`, 2: `I32F32`) and tells each event after `from` up to `last`
-/// whose number is a multiple of `every`. Returns how many digests there are; -1 for a fault.
+/// Replays a scene in a number type (0: `f32`, 1: `f64`, 2: `I32F32`) and keeps the digest of each event after `from` up to `last`
+/// whose number is a multiple of `every`. Returns how many digests there are; -1 for an error.
 #[unsafe(no_mangle)]
 pub extern "C" fn run(scene: usize, scalar: u32, from: u32, last: u32, every: u32) -> i32 {
     let mut count = 0;
-    let mut tell = |event: Event| {
+    let mut report = |state: EventDigest| {
         if let Some(place) = DIGESTS.get(count) {
-            place.store(event.digest, Ordering::Relaxed);
+            place.store(state.digest, Ordering::Relaxed);
             count += 1;
         }
     };
-    let told = Told { last, every, from };
-    match chosen(scene, scalar).map(|run| run(told, &mut tell)) {
+    let selection = Selection { last, every, from };
+    match chosen(scene, scalar).map(|run| run(selection, &mut report)) {
         Some(Ok(())) => count as i32,
         _ => -1,
     }

@@ -92,23 +92,23 @@ impl<const D: usize> Motion<'_, D> {
 
     /// d/dt, or d/ds, of all unknowns.
     pub fn slopes(&self, y: &[f64], f: &mut [f64]) {
-        let pace = self.regular.map_or(1.0, |m| {
+        let time_scale = self.regular.map_or(1.0, |m| {
             let p = self.links[m].law.order();
             f64::from(p) * y[self.base() + 2 * m].powi(p - 1)
         });
         f.fill(0.0);
-        f[0] = pace;
+        f[0] = time_scale;
         for c in 0..self.links.len() {
             self.push(&self.view(y, c), c, f);
         }
         for c in 0..self.links.len() {
-            self.compress(y, c, pace, f);
+            self.compress(y, c, time_scale, f);
         }
         for a in 0..self.masses.len() {
             let at = 1 + 2 * D * a;
             for k in 0..D {
-                f[at + k] = pace * y[at + D + k];
-                f[at + D + k] = pace * (f[at + D + k] + self.gravity[k]);
+                f[at + k] = time_scale * y[at + D + k];
+                f[at + D + k] = time_scale * (f[at + D + k] + self.gravity[k]);
             }
         }
     }
@@ -131,7 +131,7 @@ impl<const D: usize> Motion<'_, D> {
     }
 
     /// The rates of a link's own unknowns, once all accelerations are there.
-    fn compress(&self, y: &[f64], c: usize, pace: f64, f: &mut [f64]) {
+    fn compress(&self, y: &[f64], c: usize, time_scale: f64, f: &mut [f64]) {
         let (link, view) = (&self.links[c], self.view(y, c));
         let toward = match link.side {
             Side::Member { local, .. } => minus(&velocity(f, link.first), &velocity(f, local)),
@@ -143,8 +143,8 @@ impl<const D: usize> Motion<'_, D> {
         };
         let growth = -dot(&view.normal, &toward) - view.bend;
         let at = self.base() + 2 * c;
-        f[at] = if self.regular == Some(c) { view.rate } else { pace * view.rate };
-        f[at + 1] = pace
+        f[at] = if self.regular == Some(c) { view.rate } else { time_scale * view.rate };
+        f[at + 1] = time_scale
             * match link.by_force {
                 true => view.rate + link.law.relaxation * growth,
                 false => growth,
@@ -167,12 +167,12 @@ impl<const D: usize> Motion<'_, D> {
         link.law.push(x, second)
     }
 
-    /// Whether every overlap is what the centres say: not so once two centres have met.
+    /// Whether every overlap follows from the distance of the centres: not so once two centres have coincided.
     pub fn agrees(&self, y: &[f64], radii: &[f64]) -> bool {
         (0..self.links.len()).all(|c| {
             let link = &self.links[c];
             let at = position::<D>(y, link.first);
-            let (reach, gap) = match link.side {
+            let (contact_distance, gap) = match link.side {
                 Side::Wall { axis, facing, plate } => {
                     let wall = plate.height(self.origin + y[0]);
                     (radii[link.first], facing * (at[axis] - wall))
@@ -182,7 +182,7 @@ impl<const D: usize> Motion<'_, D> {
                     (radii[link.first] + radii[local], length(&apart))
                 }
             };
-            (self.compressed(y, c)[0] - (reach - gap)).abs() < 1e-6 * reach
+            (self.compressed(y, c)[0] - (contact_distance - gap)).abs() < 1e-6 * contact_distance
         })
     }
 

@@ -28,8 +28,8 @@ impl<const D: usize> Exact<D> {
         let mut found = self.walls();
         for j in i + 1..self.grains.len() {
             let d = minus(&self.position(i), &self.position(j));
-            let reach = self.grains[i].radius + self.grains[j].radius;
-            let images = Shifts::near(&d, reach, self.periods());
+            let contact_distance = self.grains[i].radius + self.grains[j].radius;
+            let images = Shifts::near(&d, contact_distance, self.periods());
             found.extend(images.map(|shift| Target::Grain { other: j, shift }));
         }
         found.retain(|target| self.approach(i, *target)[0] > 0.0);
@@ -64,9 +64,9 @@ impl<const D: usize> Exact<D> {
             Target::Grain { other, shift } => {
                 let (rj, vj) = self.state(other, time);
                 let d = minus(&minus(&r, &rj), &shift);
-                let reach = self.grains[i].radius + self.grains[other].radius;
+                let contact_distance = self.grains[i].radius + self.grains[other].radius;
                 let distance = length(&d);
-                [reach - distance, -dot(&d, &minus(&v, &vj)) / distance]
+                [contact_distance - distance, -dot(&d, &minus(&v, &vj)) / distance]
             }
         }
     }

@@ -7,7 +7,7 @@ use crate::system::Boundary;
 use crate::vector::{Vector, dot, length, minus};
 
 impl<const D: usize> Exact<D> {
-    /// Works out what grain i meets next, as long as it and the others fly freely.
+    /// Works out what grain i collides with next, as long as it and the others fly freely.
     pub(super) fn foresee(&mut self, i: usize) {
         let mut next = Forecast::NEVER;
         if self.owner[i].is_none() {
@@ -24,7 +24,7 @@ impl<const D: usize> Exact<D> {
     fn foresee_pair(&self, i: usize, j: usize, next: &mut Forecast<D>) {
         let ((ri, vi), (rj, vj)) = (self.state(i, self.now), self.state(j, self.now));
         let (d, v) = (minus(&ri, &rj), minus(&vi, &vj));
-        let reach = self.grains[i].radius + self.grains[j].radius;
+        let contact_distance = self.grains[i].radius + self.grains[j].radius;
         let (period, speed) = (self.periods(), length(&v));
         let shortest = period.iter().filter(|p| **p > 0.0).fold(f64::INFINITY, |m, p| m.min(*p));
         let mut travel = [0.0; D];
@@ -32,8 +32,8 @@ impl<const D: usize> Exact<D> {
             next.sooner(self.now + shortest / speed, None);
             travel = v.map(|v| v / speed * shortest);
         }
-        for shift in Shifts::new(&d, &travel, reach, period) {
-            if let Some(dt) = meeting(&minus(&d, &shift), &v, reach) {
+        for shift in Shifts::new(&d, &travel, contact_distance, period) {
+            if let Some(dt) = time_to_contact(&minus(&d, &shift), &v, contact_distance) {
                 next.sooner(self.now + dt, Some(Target::Grain { other: j, shift }));
             }
         }
@@ -94,20 +94,28 @@ impl<const D: usize> Exact<D> {
     }
 }
 
-/// The first time at which |d + v t| has come down to `reach`; at once if they overlap and approach.
-fn meeting<const D: usize>(d: &Vector<D>, v: &Vector<D>, reach: f64) -> Option<f64> {
+/// The first time at which |d + v t| has come down to `contact_distance`; at once if they overlap and approach.
+fn time_to_contact<const D: usize>(
+    d: &Vector<D>,
+    v: &Vector<D>,
+    contact_distance: f64,
+) -> Option<f64> {
     let approach = dot(d, v);
     if approach >= 0.0 {
         return None;
     }
     let distance = length(d);
-    if distance <= reach {
+    if distance <= contact_distance {
         return Some(0.0);
     }
-    quadratic(dot(v, v), 2.0 * approach, (distance - reach) * (distance + reach))[0]
+    quadratic(
+        dot(v, v),
+        2.0 * approach,
+        (distance - contact_distance) * (distance + contact_distance),
+    )[0]
 }
 
-/// The shifts s = k L for which |d + travel − s| may come below a reach, on every axis.
+/// The shifts s = k L for which |d + travel − s| may come below `contact_distance`, on every axis.
 #[derive(Debug, Clone)]
 pub(super) struct Shifts<const D: usize> {
     low: [i64; D],
@@ -119,14 +127,19 @@ pub(super) struct Shifts<const D: usize> {
 impl<const D: usize> Shifts<D> {
     /// `travel` is the change of d from now on, reached along a straight line; a period of 0
     /// stands for an axis that does not repeat.
-    pub fn new(d: &Vector<D>, travel: &Vector<D>, reach: f64, period: Vector<D>) -> Self {
+    pub fn new(
+        d: &Vector<D>,
+        travel: &Vector<D>,
+        contact_distance: f64,
+        period: Vector<D>,
+    ) -> Self {
         let range = |k: usize| {
             if period[k] == 0.0 {
                 return [0, 0];
             }
             let (back, ahead) = (travel[k].min(0.0), travel[k].max(0.0));
-            let low = (d[k] + back - reach) / period[k];
-            let high = (d[k] + ahead + reach) / period[k];
+            let low = (d[k] + back - contact_distance) / period[k];
+            let high = (d[k] + ahead + contact_distance) / period[k];
             [low.ceil() as i64, high.floor() as i64]
         };
         let low = std::array::from_fn(|k| range(k)[0]);
@@ -135,9 +148,9 @@ impl<const D: usize> Shifts<D> {
         Self { low, high, next: any.then_some(low), period }
     }
 
-    /// Shifts that put the other grain within `reach` of a separation d, axis by axis.
-    pub fn near(d: &Vector<D>, reach: f64, period: Vector<D>) -> Self {
-        Self::new(d, &[0.0; D], reach, period)
+    /// Shifts that put the other grain within `contact_distance` of a separation d, axis by axis.
+    pub fn near(d: &Vector<D>, contact_distance: f64, period: Vector<D>) -> Self {
+        Self::new(d, &[0.0; D], contact_distance, period)
     }
 }
 
@@ -166,7 +179,9 @@ mod tests {
 
     #[test]
     fn each_image_within_reach_comes_once() {
-        let near = |d, reach| Shifts::near(&d, reach, [1.0, 0.0]).collect::<Vec<_>>();
+        let near = |d, contact_distance| {
+            Shifts::near(&d, contact_distance, [1.0, 0.0]).collect::<Vec<_>>()
+        };
         assert_eq!(near([0.1, 9.0], 0.2), [[0.0, 0.0]]);
         assert_eq!(near([2.9, 0.0], 0.2), [[3.0, 0.0]]);
         assert_eq!(near([0.5, 0.0], 0.2), Vec::<[f64; 2]>::new());

@@ -5,6 +5,6 @@ mod flight;
 mod run;
 mod stop;
 mod vibration;
-mod watch;
+mod window;
 
 pub use run::{ContactRecord, Event, EventKind, Exact, Partner};

@@ -99,7 +99,7 @@ impl<const D: usize> Forecast<D> {
 /// let system = System::new(vec![grain(0.0, 1.0), grain(1.0, -1.0)], [Boundary::Open], [0.0])?;
 /// let law = ForceLaw::LinearDashpot { stiffness: 1e4, damping: 0.0 };
 /// let mut run = Exact::new(system, law, End::Force)?;
-/// let contact = run.next_contact(10.0)?.expect("they meet");
+/// let contact = run.next_contact(10.0)?.expect("they collide");
 /// assert!((contact.begin - 0.4).abs() < 1e-15);
 /// assert!((contact.end.unwrap() - 0.4 - std::f64::consts::PI * (0.5_f64 / 1e4).sqrt()).abs() < 1e-14);
 /// assert!((run.velocity(0)[0] + 1.0).abs() < 1e-13);
@@ -231,7 +231,7 @@ impl<const D: usize> Exact<D> {
             let (step, cluster) = self.next_step();
             let (flight, grain) = self.next_forecast();
             let window = until.min(step).min(flight);
-            if let Some(event) = self.watch(window) {
+            if let Some(event) = self.contact_in_window(window) {
                 return Ok(Some(event));
             }
             self.now = window.max(self.now);

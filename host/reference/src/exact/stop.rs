@@ -19,7 +19,7 @@ impl<const D: usize> Exact<D> {
     /// let system = System::new(vec![bead], [Boundary::Plate(Plate::fixed(0.0))], [0.0])?;
     /// let mut run = Exact::new(system, ForceLaw::spring_of(1.0, 1e-3, 0.9)?, End::Overlap)?;
     /// let quiet = Quiet { interval: f64::INFINITY, limit: 10.0 };
-    /// assert_eq!(run.advance_until_quiet(quiet)?, Stop::Apart);
+    /// assert_eq!(run.advance_until_quiet(quiet)?, Stop::Separated);
     /// // L94 Sec. III A: at a wall μ is D_n/2, so that ε there is above that of a pair.
     /// assert!((run.velocity(0)[0] - 0.92823).abs() < 1e-5);
     /// # Ok::<(), carom_reference::ReferenceError>(())
@@ -29,7 +29,7 @@ impl<const D: usize> Exact<D> {
             let idle = self.clusters.is_empty();
             let next = self.next_forecast().0;
             if idle && next == f64::INFINITY {
-                return Ok(Stop::Apart);
+                return Ok(Stop::Separated);
             }
             let patience = self.now + quiet.interval;
             if idle && patience <= quiet.limit && next > patience {

@@ -1,4 +1,4 @@
-//! When does a free grain meet a vibrating plate? Reads a flight and the plate; writes the first instant.
+//! When does a free grain touch a vibrating plate? Reads a flight and the plate; writes the first instant.
 
 use std::f64::consts::{PI, TAU};
 

@@ -31,7 +31,7 @@ impl<const D: usize> Verlet<D> {
             let (i, j) = (pair.grain as usize, pair.other as usize);
             let d = minus(&minus(&self.positions[i], &self.positions[j]), &pair.shift);
             let square = dot(&d, &d);
-            if square < pair.reach * pair.reach {
+            if square < pair.contact_distance * pair.contact_distance {
                 self.push_pair(pair, &d, square.sqrt(), h);
             }
         }
@@ -45,7 +45,7 @@ impl<const D: usize> Verlet<D> {
         let normal = d.map(|d| d / distance);
         let law = self.law.pair([self.radii[i], self.radii[j]], [self.masses[i], self.masses[j]]);
         let rate = -dot(&v, &normal);
-        let push = law.force_until(pair.reach - distance, rate, self.end);
+        let push = law.force_until(pair.contact_distance - distance, rate, self.end);
         self.virial[0] += push * distance;
         let mut force = normal.map(|n| push * n);
         if law.tangential > 0.0 && push != 0.0 {

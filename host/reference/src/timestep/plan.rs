@@ -64,27 +64,27 @@ impl<const D: usize> Verlet<D> {
     /// Weighs the pairs looked at in each step against making lists, by rough costs of both.
     fn cheapest_skin(&self) -> f64 {
         let n = self.positions.len() as f64;
-        let reach = 2.0 * self.radii.iter().sum::<f64>() / n;
-        let density = n / self.volume(reach);
+        let contact_distance = 2.0 * self.radii.iter().sum::<f64>() / n;
+        let density = n / self.volume(contact_distance);
         let cost = |skin: f64| {
             let ball = |r: f64| [2.0 * r, 3.15 * r * r, 4.19 * r * r * r][D.clamp(1, 3) - 1];
-            let pairs = 0.5 * density * ball(reach + skin);
+            let pairs = 0.5 * density * ball(contact_distance + skin);
             let fastest = self.fastest.max(self.fastest_plate);
             let per_list = skin / (2.0 * fastest * self.step);
             pairs * PAIR_COST + (LIST_COST + 10.0 * pairs) / per_list.max(1.0)
         };
-        let trials = (0..60).map(|k| 0.02 * reach * 1.12_f64.powi(k));
+        let trials = (0..60).map(|k| 0.02 * contact_distance * 1.12_f64.powi(k));
         trials
             .map(|s| (cost(s), s))
-            .fold((f64::INFINITY, reach), |a, b| if b.0 < a.0 { b } else { a })
+            .fold((f64::INFINITY, contact_distance), |a, b| if b.0 < a.0 { b } else { a })
             .1
     }
 
-    fn volume(&self, reach: f64) -> f64 {
+    fn volume(&self, contact_distance: f64) -> f64 {
         let side = |axis: usize| {
             let all = self.positions.iter().map(|r| r[axis]);
             let low = all.clone().fold(f64::INFINITY, f64::min);
-            all.fold(f64::NEG_INFINITY, f64::max) - low + reach
+            all.fold(f64::NEG_INFINITY, f64::max) - low + contact_distance
         };
         (0..D).map(side).product()
     }

@@ -3,7 +3,7 @@
 use super::gear::Gear;
 use super::verlet::Verlet;
 use crate::error::ReferenceError;
-use crate::quiet::{Quiet, Stop, all_apart};
+use crate::quiet::{Quiet, Stop, all_separated};
 
 /// Molecular dynamics in fixed steps, by whatever scheme.
 trait Steps<const D: usize> {
@@ -102,8 +102,8 @@ impl<const D: usize> Verlet<D> {
 
     fn over(&self, quiet: Quiet) -> Option<Stop> {
         let touches = self.pushed;
-        if !touches && all_apart(&self.grains(), &self.boundary, &self.gravity) {
-            return Some(Stop::Apart);
+        if !touches && all_separated(&self.grains(), &self.boundary, &self.gravity) {
+            return Some(Stop::Separated);
         }
         if !touches && self.now - self.touched.max(0.0) > quiet.interval {
             return Some(Stop::Quiet);

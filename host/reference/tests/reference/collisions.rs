@@ -93,7 +93,7 @@ fn collisions_in_flight() {
         let grains = row.grains(0.75 * l);
         let system = System::new(grains.to_vec(), [Boundary::Open; 3], [0.0; 3]).expect("valid");
         let mut run = Exact::new(system, row.law(), End::Force).expect("valid");
-        let contact = run.next_contact(f64::INFINITY).expect("integrates").expect("they meet");
+        let contact = run.next_contact(f64::INFINITY).expect("integrates").expect("they collide");
         let begin = 0.75 * l / row.number("v");
         assert!((contact.begin / begin - 1.0).abs() < 1e-13, "{}", row.0["id"]);
         let whole = collide(row.grains(0.0), row.law(), End::Force, &[]).expect("integrates");

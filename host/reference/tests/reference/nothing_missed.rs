@@ -91,7 +91,7 @@ fn check(seed: u64, kind: usize, end: End, boundary: [Boundary; 2], gravity: f64
             }
         }
     }
-    // Soft enough, a centre may pass a wall; that is no system to start from, but no fault.
+    // Soft enough, a centre may pass a wall; that is no system to start from, but no error of the run.
     let Ok(after) = run.system() else { return };
     if theta == 0.0 && gravity == 0.0 {
         let drift = total(&after) / total(&start) - 1.0;

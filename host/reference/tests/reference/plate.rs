@@ -77,7 +77,7 @@ fn a_bead_bounces_off_a_moving_plate() {
     let contact_time = 1e-6;
     let law = ForceLaw::spring_of(1.0, contact_time, 1.0).expect("valid");
     let mut exact = Exact::new(system.clone(), law, End::Overlap).expect("valid");
-    let hit = exact.next_contact(1.0).expect("integrates").expect("they meet");
+    let hit = exact.next_contact(1.0).expect("integrates").expect("they collide");
     let t = hit.begin;
     let height = 0.05 - 0.2 * t - 0.5 * GRAVITY * t * t - RADIUS;
     assert!((height - plate.height(t)).abs() < 1e-14);

@@ -1,11 +1,11 @@
 //! Does a bouncing ball come to rest, and on how many plates? Drops it by naive and by stable detection; writes how that ended (BSFP14 Fig. 7).
 //!
 //! The ball of diameter σ = 1 falls from r = r_plate + 1, so by 1/2, with ε = 0.5; the paper does not
-//! say what g is, here it is 9.81. In exact arithmetic it meets the plate first at t_1 = √(1/9.81) and comes
+//! say what g is, here it is 9.81. In exact arithmetic it hits the plate first at t_1 = √(1/9.81) and comes
 //! to rest, after infinitely many impacts, at t_final = t_1 (1 + ε)/(1 − ε), wherever the plate is.
 
 use crate::figure::data::{Figure, Made, Note, Options, Series};
-use crate::figure::draw::{self, Kind, Mark, Predictor, Scale};
+use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::progress::Progress;
 use anyhow::Result;
 use carom::detect::root;
@@ -46,7 +46,7 @@ pub enum Flight {
 
 /// How the next impact is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Way {
+pub struct Variant {
     /// By BSFP14's rule, Algorithm 2; otherwise by the quadratic formula, Eq. (12).
     pub stable: bool,
     /// How the overlap function is written.
@@ -55,7 +55,7 @@ pub struct Way {
     pub flight: Flight,
 }
 
-impl Way {
+impl Variant {
     /// All of them: naive first.
     pub fn all() -> Vec<Self> {
         let mut all = Vec::new();
@@ -129,7 +129,7 @@ pub struct End {
 }
 
 /// Drops the ball on a plate. It is at rest when it will not rise by as much as the last place of its position.
-pub fn drop_on(plate: f64, way: Way) -> End {
+pub fn drop_on(plate: f64, way: Variant) -> End {
     let (mut r, mut v, mut time) = (plate + 1.0, 0.0, 0.0);
     let mut rest = None;
     for impacts in 0..ENOUGH {
@@ -152,7 +152,7 @@ pub fn drop_on(plate: f64, way: Way) -> End {
 /// Drops the ball on a plate in a world of its own, until the engine lays it down.
 ///
 /// # Errors
-/// What the engine says.
+/// An error of the engine.
 pub fn drop_in_world(plate: f64) -> Result<End, Error> {
     let mut memory = Memory::<f64, 1, 1>::new();
     let mut world = World::builder(&mut memory)
@@ -169,7 +169,7 @@ pub fn drop_in_world(plate: f64) -> Result<End, Error> {
 }
 
 /// Numbers of impacts that the histogram tells apart.
-const MOST: usize = 80;
+const MAX_IMPACTS: usize = 80;
 
 /// What many plates gave.
 struct Sum {
@@ -184,11 +184,16 @@ struct Sum {
 
 impl Sum {
     fn of(plates: &[f64], end: impl Fn(f64) -> End + Sync) -> Self {
-        let none = || Self { halted: 0, halts: vec![0; MOST], rests: vec![0; MOST], late: 0.0 };
+        let none = || Self {
+            halted: 0,
+            halts: vec![0; MAX_IMPACTS],
+            rests: vec![0; MAX_IMPACTS],
+            late: 0.0,
+        };
         let add = |mut sum: Self, plate: &f64| {
             let end = end(*plate);
             sum.halted += u64::from(end.halted);
-            let bin = (end.impacts as usize).min(MOST - 1);
+            let bin = (end.impacts as usize).min(MAX_IMPACTS - 1);
             if end.halted {
                 sum.halts[bin] += 1;
             } else {
@@ -222,7 +227,7 @@ fn plates(count: usize) -> Vec<f64> {
 /// Makes the figure: on how many plates a simulation ended after so many impacts.
 pub fn make(options: &Options) -> Result<Made> {
     let plates = plates(if options.full { 10_000_000 } else { 1_000_000 });
-    let ways = Way::all();
+    let ways = Variant::all();
     let progress = Progress::new("bsfp14-7", 1 + ways.len() as u64);
     let axes = ["impacts until the simulation ends", "share of plate positions"];
     let mut figure = Figure::new("bsfp14-7", axes);
@@ -244,11 +249,11 @@ pub fn make(options: &Options) -> Result<Made> {
     let named = ["engine", "the engine's", "the engine's"];
     figure = figure.with(series(named, &engine, plates.len()));
     notes.push(note(named, &engine, plates.len()));
-    let look = Predictor::new("A bouncing ball on 10^{6} plates: when does detection end?")
+    let style = PlotStyle::new("A bouncing ball on 10^{6} plates: when does detection end?")
         .scales(Scale::LINEAR.from(22.0, 34.0), Scale::LOG.from(1e-6, 2.0))
         .kinds(&[Kind::Both])
         .mark(Mark::Place(30.0, "paper: halts after about 30".to_owned()));
-    let picture = draw::draw(&figure, &look);
+    let picture = draw::draw(&figure, &style);
     Ok(Made { figure, picture, notes })
 }
 

@@ -5,7 +5,7 @@
 //! events frequent, and the frequency there is scaled down with the spread of the separations at impact.
 
 use crate::figure::data::{Figure, Made, Note, Options, Series};
-use crate::figure::draw::{self, Kind, Mark, Predictor, Scale};
+use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::figure::hard::{Fluid, Impact, Overlaps, Run};
 use crate::plot::Colour;
 use crate::progress::Progress;
@@ -15,7 +15,7 @@ use carom::{Grain, Observer, View};
 use rayon::prelude::*;
 
 /// Bins on each side of contact; what is further off is in the outermost.
-pub const REACH: i32 = 200;
+pub const MAX_EXCESS: i32 = 200;
 
 /// What was seen at the impacts of one gas.
 pub struct Seen {
@@ -23,7 +23,7 @@ pub struct Seen {
     pub restitution: f64,
     /// ρ.
     pub density: f64,
-    /// How often |r| − σ was so many floating-point numbers from contact, from −REACH to REACH.
+    /// How often |r| − σ was so many floating-point numbers from contact, from −MAX_EXCESS to MAX_EXCESS.
     pub histogram: Vec<u64>,
     /// Overlapping pairs.
     pub overlaps: Overlaps,
@@ -36,7 +36,7 @@ impl Seen {
         Self {
             restitution: fluid.restitution,
             density: fluid.density,
-            histogram: vec![0; 2 * REACH as usize + 1],
+            histogram: vec![0; 2 * MAX_EXCESS as usize + 1],
             overlaps: Overlaps::new(fluid.grains),
             sum: 0.0,
             squares: 0.0,
@@ -57,12 +57,12 @@ impl Seen {
 
     /// The most frequent excess, in floating-point numbers.
     pub fn mode(&self) -> i32 {
-        let most = (-REACH..).zip(&self.histogram).max_by_key(|(_, count)| **count);
+        let most = (-MAX_EXCESS..).zip(&self.histogram).max_by_key(|(_, count)| **count);
         most.map_or(0, |(bin, _)| bin)
     }
 
     fn add(&mut self, impact: Impact) {
-        let bin = (impact.excess.round() as i32).clamp(-REACH, REACH) + REACH;
+        let bin = (impact.excess.round() as i32).clamp(-MAX_EXCESS, MAX_EXCESS) + MAX_EXCESS;
         self.histogram[bin as usize] += 1;
         let ulps = if impact.excess < 0.0 { impact.excess / 2.0 } else { impact.excess };
         self.sum += ulps;
@@ -86,7 +86,7 @@ impl Observer<f64, 3> for Seen {
 /// Runs a gas from equilibrium for so many collisions.
 ///
 /// # Errors
-/// What the engine says.
+/// An error of the engine.
 pub fn run(
     fluid: &Fluid,
     start: &[Grain<f64, 3>],
@@ -95,9 +95,9 @@ pub fn run(
 ) -> Result<Seen> {
     let mut seen = Seen::new(fluid);
     let mut shown = 0;
-    Run::new(*fluid, start.to_vec()).run(collisions, &mut seen, |pace| {
-        each(pace.collisions - shown);
-        shown = pace.collisions;
+    Run::new(*fluid, start.to_vec()).run(collisions, &mut seen, |state| {
+        each(state.collisions - shown);
+        shown = state.collisions;
         Ok(())
     })?;
     Ok(seen)
@@ -109,7 +109,7 @@ pub const DENSITIES: [f64; 3] = [0.1, 0.5, 0.9];
 /// Runs gases like `fluid` at all densities and at these coefficients of restitution, several at once.
 ///
 /// # Errors
-/// What the engine says.
+/// An error of the engine.
 pub fn all(id: &str, fluid: &Fluid, restitutions: &[f64], collisions: u64) -> Result<Vec<Seen>> {
     let gases = (DENSITIES.len() * restitutions.len()) as u64;
     let progress = Progress::new(id, gases * collisions);
@@ -144,13 +144,13 @@ pub fn make_impacts(options: &Options) -> Result<Made> {
         notes.push(note_impacts(seen));
     }
     let title = format!("Separation at impact, *N* = 13,500, {collisions} collisions each");
-    let look = Predictor::new(title)
+    let style = PlotStyle::new(title)
         .labels("(|*r*| − σ) / distance of floating-point numbers", "share of impacts")
         .scales(Scale::LINEAR.from(-60.0, 60.0), Scale::LOG.from(1e-6, 1.0))
         .kinds(&[Kind::Line])
         .mark(Mark::Place(0.0, "paper: mean and mode at σ".to_owned()));
-    let look = Predictor { colours: impact_colours(), ..look };
-    let picture = draw::draw(&figure, &look);
+    let style = PlotStyle { colours: impact_colours(), ..style };
+    let picture = draw::draw(&figure, &style);
     Ok(Made { figure, picture, notes })
 }
 
@@ -166,7 +166,7 @@ fn impact_series(seen: &Seen) -> Series {
         .param("mean_in_ulps", mean)
         .param("deviation_in_ulps", deviation)
         .param("deepest", -overlaps.deepest);
-    for (bin, hits) in (-REACH..).zip(&seen.histogram).filter(|(_, hits)| **hits > 0) {
+    for (bin, hits) in (-MAX_EXCESS..).zip(&seen.histogram).filter(|(_, hits)| **hits > 0) {
         impact_series.push(f64::from(bin), *hits as f64 / count);
     }
     impact_series
@@ -216,13 +216,13 @@ pub fn make_overlaps(options: &Options) -> Result<Made> {
         figure = figure.with(scaled(density, &fine, &coarse));
     }
     let title = format!("Doubly overlapped grains, *N* = 1,372, {collisions} collisions each");
-    let look = Predictor::new(title)
+    let style = PlotStyle::new(title)
         .scales(Scale::LINEAR.from(0.0, 1.05), Scale::LOG.from(1e-17, 1.0))
         .kinds(&[[Kind::Dots; 3], [Kind::Both; 3], [Kind::Line; 3]].concat())
         .mark(Mark::Points(vec![[1.0, 1e-9]], "paper: elastic, dilute".to_owned()))
         .mark(Mark::Level(1e-6, "paper: inelastic, up to".to_owned()))
         .mark(Mark::Level(1.0 / collisions as f64, "one event in a run".to_owned()));
-    let picture = draw::draw(&seen(&figure), &Predictor { colours: colours(), ..look });
+    let picture = draw::draw(&seen(&figure), &PlotStyle { colours: colours(), ..style });
     let notes =
         fine.iter().zip(&coarse).map(|(fine, coarse)| note_overlaps(fine, coarse)).collect();
     Ok(Made { figure, picture, notes })

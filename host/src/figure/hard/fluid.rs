@@ -7,11 +7,10 @@
 //! A strongly dissipative one ends in bands that stream past each other and hardly collide. Then
 //! velocities are drawn anew, of grains where they are: a dense cluster is heated, and cools again.
 
-use crate::storage::HeapMemory;
+use crate::heap_memory::HeapMemory;
 use anyhow::{Context, Result, bail, ensure};
 use carom::law::HardSphere;
-use carom::world::Event;
-use carom::world::EventOutcome;
+use carom::world::{Event, EventOutcome};
 use carom::{Grain, Instant, Observer, Statistics, World};
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
@@ -86,7 +85,7 @@ impl Fluid {
     /// A world of these grains, wherever they come from.
     ///
     /// # Errors
-    /// What the engine says.
+    /// An error of the engine.
     pub fn world<'m, const D: usize>(
         &self,
         storage: &'m mut HeapMemory<f64, D>,
@@ -94,15 +93,15 @@ impl Fluid {
     ) -> Result<Spheres<'m, D>> {
         let half = self.length::<D>() / 2.0;
         let sides = [self.middle - half, self.middle + half];
-        let setup = World::builder(storage).periodic([sides; D]);
+        let builder = World::builder(storage).periodic([sides; D]);
         let rule = HardSphere { restitution: self.restitution };
-        Ok(setup.rule(rule).grains(grains)?.start()?)
+        Ok(builder.rule(rule).grains(grains)?.start()?)
     }
 
     /// Grains of this fluid after so many elastic collisions a grain, from the lattice: equilibrium.
     ///
     /// # Errors
-    /// What the engine says.
+    /// An error of the engine.
     pub fn equilibrium<const D: usize>(&self, per_grain: u64) -> Result<Vec<Grain<f64, D>>> {
         let mut storage = HeapMemory::new(self.grains);
         let elastic = Self { restitution: 1.0, ..*self };
@@ -141,12 +140,12 @@ pub struct Run {
     storage: HeapMemory<f64, 3>,
     grains: Vec<Grain<f64, 3>>,
     /// How far it got.
-    pub pace: Pace,
+    pub state: RunState,
 }
 
 /// How far a gas got.
 #[derive(Clone, Debug, Default)]
-pub struct Pace {
+pub struct RunState {
     /// Collisions of two grains.
     pub collisions: u64,
     /// Time, in the present unit.
@@ -154,7 +153,7 @@ pub struct Pace {
     /// How often the unit of time was made 2^20 times longer.
     pub units: u32,
     /// How often velocities were drawn anew.
-    pub stirred: u64,
+    pub redrawn: u64,
     /// Kinetic energy a grain, in the present unit.
     pub energy: f64,
     /// The engine's statistics, summed over all units of time.
@@ -170,44 +169,44 @@ pub struct Pace {
 impl Run {
     /// A gas that starts from these grains.
     pub fn new(fluid: Fluid, grains: Vec<Grain<f64, 3>>) -> Self {
-        Self { storage: HeapMemory::new(fluid.grains), fluid, grains, pace: Pace::default() }
+        Self { storage: HeapMemory::new(fluid.grains), fluid, grains, state: RunState::default() }
     }
 
-    /// Runs until so many collisions have happened since the start; `each` looks whenever every grain
+    /// Runs until so many collisions have happened since the start; `each` is called whenever every grain
     /// has had some 16 of them.
     ///
     /// # Errors
-    /// What the engine or `each` says, with the number of collisions until then.
+    /// An error of the engine or of `each`, with the number of collisions until then.
     pub fn run<W: Observer<f64, 3>>(
         &mut self,
         collisions: u64,
-        watch: &mut W,
-        mut each: impl FnMut(&Pace) -> Result<()>,
+        observer: &mut W,
+        mut each: impl FnMut(&RunState) -> Result<()>,
     ) -> Result<()> {
         loop {
             let mut world = self.fluid.world(&mut self.storage, self.grains.iter().copied())?;
-            self.pace.last = None;
-            let done = one_unit(&mut world, &mut self.pace, collisions, watch, &mut each);
+            self.state.last = None;
+            let done = one_unit(&mut world, &mut self.state, collisions, observer, &mut each);
             self.grains = grains(&world);
-            let count = self.pace.collisions;
+            let count = self.state.collisions;
             done.with_context(|| format!("after {count} collisions"))?;
             if count >= collisions {
                 return Ok(());
             }
-            if self.pace.energy < SLOW {
+            if self.state.energy < SLOW {
                 self.grains.iter_mut().for_each(|grain| grain.velocity *= FASTER);
-                self.pace.units += 1;
-                self.pace.time /= FASTER;
+                self.state.units += 1;
+                self.state.time /= FASTER;
             } else {
-                self.stir();
+                self.redraw_velocities();
             }
         }
     }
 
     /// Gives the grains the velocities of a gas in equilibrium.
-    fn stir(&mut self) {
-        self.pace.stirred += 1;
-        let fluid = Fluid { seed: self.fluid.seed + self.pace.stirred, ..self.fluid };
+    fn redraw_velocities(&mut self) {
+        self.state.redrawn += 1;
+        let fluid = Fluid { seed: self.fluid.seed + self.state.redrawn, ..self.fluid };
         for (grain, velocity) in self.grains.iter_mut().zip(fluid.velocities::<3>()) {
             *grain = grain.moving(velocity);
         }
@@ -217,27 +216,27 @@ impl Run {
 /// Runs until the gas is too slow for its unit of time, or streams, or the collisions have happened.
 fn one_unit<W: Observer<f64, 3>>(
     world: &mut Spheres<'_, 3>,
-    pace: &mut Pace,
+    state: &mut RunState,
     collisions: u64,
-    watch: &mut W,
-    each: &mut impl FnMut(&Pace) -> Result<()>,
+    observer: &mut W,
+    each: &mut impl FnMut(&RunState) -> Result<()>,
 ) -> Result<()> {
-    let before = pace.clone();
-    let look = 8 * world.view().len() as u64;
+    let before = state.clone();
+    let interval = 8 * world.view().len() as u64;
     loop {
-        let until = (pace.collisions + look).min(collisions);
+        let until = (state.collisions + interval).min(collisions);
         let mut ended = Ok(());
         let mut events = 0;
-        while pace.collisions < until && ended.is_ok() && events < STREAMING * look {
-            ended = step(world, pace, watch);
+        while state.collisions < until && ended.is_ok() && events < STREAMING * interval {
+            ended = step(world, state, observer);
             events += 1;
         }
-        pace.time = before.time + world.now().as_f64();
-        pace.energy = world.view().kinetic_energy() / world.view().len() as f64;
-        pace.statistics = sum(&before.statistics, world.statistics());
-        each(pace)?;
-        let enough = pace.energy < SLOW || pace.collisions >= collisions;
-        if ended.is_err() || enough || events >= STREAMING * look {
+        state.time = before.time + world.now().as_f64();
+        state.energy = world.view().kinetic_energy() / world.view().len() as f64;
+        state.statistics = sum(&before.statistics, world.statistics());
+        each(state)?;
+        let enough = state.energy < SLOW || state.collisions >= collisions;
+        if ended.is_err() || enough || events >= STREAMING * interval {
             return ended;
         }
     }
@@ -245,18 +244,18 @@ fn one_unit<W: Observer<f64, 3>>(
 
 fn step<W: Observer<f64, 3>>(
     world: &mut Spheres<'_, 3>,
-    pace: &mut Pace,
-    watch: &mut W,
+    state: &mut RunState,
+    observer: &mut W,
 ) -> Result<()> {
-    match world.step_observed(watch)? {
-        Some(event) => pace.see(&event),
+    match world.step_observed(observer)? {
+        Some(event) => state.count(&event),
         None => bail!("nothing will ever happen again"),
     }
     Ok(())
 }
 
-impl Pace {
-    fn see(&mut self, event: &Event<f64>) {
+impl RunState {
+    fn count(&mut self, event: &Event<f64>) {
         self.backward += u64::from(self.last.is_some_and(|last| event.at < last));
         if self.last != Some(event.at) {
             self.run = 0;
@@ -278,6 +277,7 @@ fn sum(total: &[(&'static str, u64)], more: &Statistics) -> Vec<(&'static str, u
         ("reordered", more.reordered),
         ("stale", more.stale),
         ("cell_crossings", more.cell_crossings),
+        ("rechecks", more.rechecks),
         ("epochs", more.epochs),
     ];
     let before = |name: &str| total.iter().find(|(other, _)| *other == name).map_or(0, |(_, n)| *n);

@@ -6,6 +6,6 @@ mod fluid;
 mod overlaps;
 pub mod pressure;
 
-pub use fluid::{Fluid, Pace, Run, Spheres, grains};
+pub use fluid::{Fluid, Run, RunState, Spheres, grains};
 pub use overlaps::{Impact, Overlaps};
 pub use pressure::{Gauge, Mean, Measured, Plan, measure};

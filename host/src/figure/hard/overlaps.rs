@@ -1,11 +1,10 @@
-//! Which grains overlap, and does that get worse? Reads each collision just before and after; writes nothing, keeps a ledger.
+//! Which grains overlap, and does that get worse? Reads each collision just before and after; writes nothing, keeps a list of pairs.
 //!
 //! Two grains come to overlap only where they collide (BSFP14 §3), so the pairs that a grain overlaps
-//! are among those it collided with. They are looked at whenever one of the two has an event.
+//! are among those it collided with. They are checked whenever one of the two has an event.
 
 use carom::scalar::Vector;
-use carom::world::Event;
-use carom::world::EventKind;
+use carom::world::{Event, EventKind};
 use carom::{Observer, View};
 
 /// A pair just before it collides.
@@ -20,10 +19,10 @@ pub struct Impact {
     pub three_body: bool,
 }
 
-/// The ledger of overlapping pairs of grains of diameter 1.
+/// The overlapping pairs of grains of diameter 1.
 #[derive(Clone, Debug, Default)]
 pub struct Overlaps {
-    /// For each grain: whom it overlapped when last looked at, and f = r² − σ² then.
+    /// For each grain: whom it overlapped when last checked, and f = r² − σ² then.
     open: Vec<Vec<(usize, f64)>>,
     /// The impact that is due.
     pub impact: Option<Impact>,
@@ -35,7 +34,7 @@ pub struct Overlaps {
     pub three_body: u64,
     /// The least |r| − σ seen.
     pub deepest: f64,
-    /// The largest decrease of an overlap function from one look to the next while it was negative,
+    /// The largest decrease of an overlap function from one check to the next while it was negative,
     /// as a length: Δf/(2σ).
     pub decrease: f64,
     /// Pairs that overlapped and still approached after an event of one of them.
@@ -50,7 +49,7 @@ impl Overlaps {
         Self { open: vec![Vec::new(); grains], ..Self::default() }
     }
 
-    /// Adds what another ledger has counted.
+    /// Adds what another observer has counted.
     pub fn add(&mut self, other: &Self) {
         self.impacts += other.impacts;
         self.overlapping += other.overlapping;
@@ -61,8 +60,8 @@ impl Overlaps {
         self.fastest = self.fastest.max(other.fastest);
     }
 
-    /// Looks at the pairs in which a grain overlapped: how they are now, who is done.
-    fn look<const D: usize>(&mut self, i: usize, view: &View<'_, f64, D>) {
+    /// Updates the pairs in which a grain overlapped, and drops those that do no more.
+    fn update<const D: usize>(&mut self, i: usize, view: &View<'_, f64, D>) {
         let mut pairs = std::mem::take(&mut self.open[i]);
         pairs.retain_mut(|(m, before)| {
             let Some((r, _)) = pair(view, i, *m) else { return false };
@@ -132,8 +131,8 @@ impl<const D: usize> Observer<f64, D> for Overlaps {
             return;
         };
         let i = event.grain;
-        self.look(i, &view);
-        self.look(k, &view);
+        self.update(i, &view);
+        self.update(k, &view);
         let Some((r, _)) = pair(&view, i, k) else { return };
         let impact = self.impact(i, k, &r);
         self.count(impact, r.dot(&r));
@@ -173,26 +172,26 @@ mod tests {
     use carom::law::HardSphere;
     use carom::{Grain, Memory, World};
 
-    /// Looks at two grains at this distance.
-    fn seen(ledger: &mut Overlaps, distance: f64) {
+    /// Updates two grains at this distance.
+    fn update_at(overlaps: &mut Overlaps, distance: f64) {
         let mut memory = Memory::<f64, 1, 2>::new();
-        let setup = World::builder(&mut memory).rule(HardSphere { restitution: 1.0 });
+        let builder = World::builder(&mut memory).rule(HardSphere { restitution: 1.0 });
         let grain = |x| Grain::with_mass(0.5, 1.0).at([x]);
-        let world = setup.grains([grain(0.0), grain(distance)]).unwrap().start().unwrap();
-        ledger.look(0, &world.view());
+        let world = builder.grains([grain(0.0), grain(distance)]).unwrap().start().unwrap();
+        overlaps.update(0, &world.view());
     }
 
     #[test]
     fn an_overlap_that_gets_deeper_is_noticed_and_one_that_ends_is_forgotten() {
-        let mut ledger = Overlaps::new(2);
-        ledger.note(0, 1, Some(-4e-16));
-        ledger.note(1, 0, Some(-4e-16));
-        seen(&mut ledger, 1.0 - f64::EPSILON / 2.0);
-        assert_eq!(ledger.decrease, 0.0);
-        seen(&mut ledger, 1.0 - 2.0 * f64::EPSILON);
-        assert_eq!(ledger.decrease, 1.5 * f64::EPSILON);
-        assert_eq!(ledger.open[1].len(), 1);
-        seen(&mut ledger, 1.0);
-        assert!(ledger.open.iter().all(Vec::is_empty));
+        let mut overlaps = Overlaps::new(2);
+        overlaps.note(0, 1, Some(-4e-16));
+        overlaps.note(1, 0, Some(-4e-16));
+        update_at(&mut overlaps, 1.0 - f64::EPSILON / 2.0);
+        assert_eq!(overlaps.decrease, 0.0);
+        update_at(&mut overlaps, 1.0 - 2.0 * f64::EPSILON);
+        assert_eq!(overlaps.decrease, 1.5 * f64::EPSILON);
+        assert_eq!(overlaps.open[1].len(), 1);
+        update_at(&mut overlaps, 1.0);
+        assert!(overlaps.open.iter().all(Vec::is_empty));
     }
 }

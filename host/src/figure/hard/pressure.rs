@@ -1,10 +1,9 @@
 //! What are the pressure and the mean free time of a fluid, and what should they be? Runs an elastic one; writes means with errors.
 
 use super::fluid::Fluid;
-use crate::storage::HeapMemory;
+use crate::heap_memory::HeapMemory;
 use anyhow::Result;
-use carom::world::Event;
-use carom::world::EventKind;
+use carom::world::{Event, EventKind};
 use carom::{Instant, Observer, View};
 use std::f64::consts::PI;
 
@@ -44,7 +43,7 @@ pub struct Plan {
 /// kT is 2 E/(D (N − 1)): the total momentum is zero.
 ///
 /// # Errors
-/// What the engine says.
+/// An error of the engine.
 pub fn measure<const D: usize>(
     fluid: &Fluid,
     plan: Plan,

@@ -58,10 +58,10 @@ impl Column {
     pub fn collide(&self, law: ForceLaw) -> Result<Outcome, ReferenceError> {
         let mut run = self.start(law)?;
         let mut stop = Stop::Limit;
-        for look in 0..LOOKS {
-            stop = run.advance_until_quiet(self.until(&law, look))?;
+        for attempt in 0..ATTEMPTS {
+            stop = run.advance_until_quiet(self.until(&law, attempt))?;
             let outcome = self.outcome(&run.grains());
-            if stop == Stop::Apart || (run.contacts() == 0 && outcome.pending() < PENDING) {
+            if stop == Stop::Separated || (run.contacts() == 0 && outcome.pending() < PENDING) {
                 let of = |instant: fn(&ContactRecord) -> f64| run.records().iter().map(instant);
                 let begin = of(|record| record.begin).fold(f64::INFINITY, f64::min);
                 let end = of(|record| record.end.unwrap_or(0.0)).fold(0.0, f64::max);
@@ -80,10 +80,10 @@ impl Column {
         let options = VerletOptions { steps_per_contact: steps, ..VerletOptions::default() };
         let mut run = Gear::new(&self.system()?, law, End::Overlap, options)?;
         let mut stop = Stop::Limit;
-        for look in 0..LOOKS {
-            stop = run.advance_until_quiet(self.until(&law, look))?;
+        for attempt in 0..ATTEMPTS {
+            stop = run.advance_until_quiet(self.until(&law, attempt))?;
             let outcome = self.outcome(&run.grains());
-            if stop == Stop::Apart || (!run.in_contact() && outcome.pending() < PENDING) {
+            if stop == Stop::Separated || (!run.in_contact() && outcome.pending() < PENDING) {
                 return Ok(outcome);
             }
         }
@@ -124,17 +124,17 @@ impl Column {
     }
 
     /// How far to go before looking whether it is over: half the impact.
-    fn until(&self, law: &ForceLaw, look: u32) -> Quiet {
+    fn until(&self, law: &ForceLaw, attempt: u32) -> Quiet {
         let contact = law.pair([0.5 * self.diameter; 2], [1.0; 2]).contact_time(self.speed);
         let impact = self.beads as f64 * (self.gap / self.speed + contact);
-        Quiet { interval: f64::INFINITY, limit: 0.5 * impact * f64::from(look + 1) }
+        Quiet { interval: f64::INFINITY, limit: 0.5 * impact * f64::from(attempt + 1) }
     }
 }
 
 /// A column is over when what the rest of it can change is this share of its energy.
 const PENDING: f64 = 1e-9;
 /// How often that is looked at before giving up.
-const LOOKS: u32 = 100_000;
+const ATTEMPTS: u32 = 100_000;
 
 fn not_over(stop: Stop, time: f64) -> ReferenceError {
     let why = match stop {

@@ -1,8 +1,8 @@
 //! What becomes of the same column event by event? Reads a column; writes velocities after the impact, by ED and by eMD*.
 
 use super::column::{Column, Outcome};
+use crate::heap_memory::HeapMemory;
 use crate::integrated::Integrated;
-use crate::storage::HeapMemory;
 use anyhow::{Context, Result, bail};
 use carom::law::{HardSphere, LinearDashpot, Rule};
 use carom::space::{Plane, Surface};
@@ -21,7 +21,7 @@ const LOOKS: usize = 16_384;
 
 /// How contacts are dealt with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum Variant {
     /// Instantaneous collisions with ε between beads and ε_wall at the wall (L94 Sec. II B).
     Instant,
     /// Contacts that last as long as the force law says (MP13), until the overlap vanishes.
@@ -52,13 +52,13 @@ pub fn restitution(law: &LinearDashpot<f64>) -> [f64; 2] {
 /// Lets the column hit the wall, event by event.
 ///
 /// # Errors
-/// A fault of the engine, or a column that does not come apart.
-pub fn collide(column: &Column, law: &ForceLaw, way: Way) -> Result<Outcome> {
+/// An error of the engine, or a column that does not come apart.
+pub fn collide(column: &Column, law: &ForceLaw, way: Variant) -> Result<Outcome> {
     let law = dashpot(law)?;
     let [pair, wall] = restitution(&law);
     match way {
-        Way::Instant => run(column, HardSphere { restitution: pair }, Surface::Hard(wall)),
-        Way::Lasting => {
+        Variant::Instant => run(column, HardSphere { restitution: pair }, Surface::Hard(wall)),
+        Variant::Lasting => {
             let rule = Integrated::new(law).ending(End::Overlap);
             run(column, rule, Surface::Rule)
         }
@@ -68,17 +68,22 @@ pub fn collide(column: &Column, law: &ForceLaw, way: Way) -> Result<Outcome> {
 /// Where the beads are at given times.
 ///
 /// # Errors
-/// A fault of the engine.
-pub fn heights(column: &Column, law: &ForceLaw, way: Way, times: &[f64]) -> Result<Vec<Vec<f64>>> {
+/// An error of the engine.
+pub fn heights(
+    column: &Column,
+    law: &ForceLaw,
+    way: Variant,
+    times: &[f64],
+) -> Result<Vec<Vec<f64>>> {
     let law = dashpot(law)?;
     let [pair, wall] = restitution(&law);
     let mut storage = HeapMemory::<f64, 1>::new(column.beads);
     match way {
-        Way::Instant => {
+        Variant::Instant => {
             let rule = HardSphere { restitution: pair };
             sampled(&mut start(column, &mut storage, rule, Surface::Hard(wall))?, times)
         }
-        Way::Lasting => {
+        Variant::Lasting => {
             let rule = Integrated::new(law).ending(End::Overlap);
             sampled(&mut start(column, &mut storage, rule, Surface::Rule)?, times)
         }
@@ -90,7 +95,7 @@ pub fn heights(column: &Column, law: &ForceLaw, way: Way, times: &[f64]) -> Resu
 /// The list ends early where the engine needs more than two million events, and more than two thousand a sample.
 ///
 /// # Errors
-/// A fault of the engine.
+/// An error of the engine.
 pub fn counted<R: Rule<f64>>(
     mut world: World<'_, f64, 1, R>,
     times: &[f64],

@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::loss::{self, STEPS};
 use crate::figure::data::{Figure, Made, Note, Options, Series};
-use crate::figure::draw::{self, Kind, Mark, Predictor, Scale};
+use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::figure::fit;
 use crate::progress::Progress;
 use anyhow::Result;
@@ -156,12 +156,12 @@ pub const fn wide(sigma: f64, tangential: f64, seed: u64) -> Layer {
 
 /// From this σ on layers are dealt with contact by contact: in steps, nearly all of them would be in
 /// free flight.
-const APART: f64 = 2.0;
+const MIN_SEPARATED: f64 = 2.0;
 
 /// ε_eff of a wide layer: in steps where it is dense, contact by contact where it is not.
 fn hit(sigma: f64, tangential: f64, seed: u64, patience: [f64; 2]) -> Result<f64, ReferenceError> {
     let layer = wide(sigma, tangential, seed);
-    match sigma < APART {
+    match sigma < MIN_SEPARATED {
         true => layer.collide(50.0, patience),
         false => layer.collide_exactly(patience),
     }
@@ -170,7 +170,7 @@ fn hit(sigma: f64, tangential: f64, seed: u64, patience: [f64; 2]) -> Result<f64
 /// L94 Fig. 4a: ε_eff against σ.
 ///
 /// # Errors
-/// What a run says.
+/// An error of a run.
 pub fn make_a(options: &Options) -> Result<Made> {
     let (last, seeds, patience) =
         if options.full { (6, 10, [260.0, 100.0]) } else { (4, 3, [40.0, 20.0]) };
@@ -200,12 +200,12 @@ pub fn make_a(options: &Options) -> Result<Made> {
         column.push(*sigma, loss::ten("MD", *sigma, 0.2, None)?);
     }
     let figure = figure.with(column);
-    let look = Predictor::new("A layer of 130 grains at a wall, ε = 0.9 (L94 Fig. 4a)")
+    let style = PlotStyle::new("A layer of 130 grains at a wall, ε = 0.9 (L94 Fig. 4a)")
         .labels("σ = *s*_{0}/(*v*_{0} *t*_{c})", "ε_{eff}")
         .scales(Scale::LOG, Scale::LINEAR.from(0.0, 1.05))
         .mark(Mark::Place(0.1, "paper: falls from here".to_owned()))
         .mark(Mark::Place(10.0, "to here".to_owned()));
-    let picture = draw::draw(&figure, &look);
+    let picture = draw::draw(&figure, &style);
     let notes = notes_a(&figure);
     Ok(Made { figure, picture, notes })
 }
@@ -238,7 +238,7 @@ pub const fn touching(rows: usize, restitution: f64, tangential: f64) -> Layer {
 /// L94 Fig. 4b: 1 − ε_eff against the height.
 ///
 /// # Errors
-/// What a run says.
+/// An error of a run.
 pub fn make_b(options: &Options) -> Result<Made> {
     let heights: Vec<usize> = (2..=21).collect();
     let steps = if options.full { STEPS } else { 100.0 };
@@ -273,11 +273,11 @@ pub fn make_b(options: &Options) -> Result<Made> {
         }
         figure = figure.with(series);
     }
-    let look = Predictor::new("Grains in contact hit a wall, in 2D and 1D (L94 Fig. 4b)")
+    let style = PlotStyle::new("Grains in contact hit a wall, in 2D and 1D (L94 Fig. 4b)")
         .labels("*h*", "1 − ε_{eff}")
         .scales(Scale::LOG.from(1.8, 24.0), Scale::LOG)
         .kinds(&[Kind::Both, Kind::Both, Kind::Both, Kind::Both, Kind::Dots, Kind::Dots]);
-    let picture = draw::draw(&figure, &look);
+    let picture = draw::draw(&figure, &style);
     let notes = [0.6, 0.9].into_iter().map(|eps| note_b(&figure, eps)).collect();
     Ok(Made { figure, picture, notes })
 }

@@ -1,9 +1,9 @@
 //! How much energy does a column lose at a wall? Reads ε, N, gaps and force laws; writes L94 Figs. 2a, 2b, 2c and 3, by MD, ED and eMD*.
 
 use super::column::{Column, Outcome};
-use super::hard::{self, Way};
+use super::hard::{self, Variant};
 use crate::figure::data::{Figure, Made, Note, Options, Series};
-use crate::figure::draw::{self, Kind, Mark, Predictor, Scale};
+use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::figure::fit;
 use crate::plot::Colour;
 use crate::progress::Progress;
@@ -30,11 +30,11 @@ pub fn separations() -> impl Iterator<Item = f64> {
 /// One column by one method: "ED", "eMD*", or else MD.
 ///
 /// # Errors
-/// What the method says.
+/// An error of the method.
 pub fn impact(method: &str, column: &Column, law: &ForceLaw, exact: bool) -> Result<Outcome> {
     let outcome = match method {
-        "ED" => hard::collide(column, law, Way::Instant),
-        "eMD*" => hard::collide(column, law, Way::Lasting),
+        "ED" => hard::collide(column, law, Variant::Instant),
+        "eMD*" => hard::collide(column, law, Variant::Lasting),
         _ if exact || column.beads <= LONGEST_EXACT => Ok(column.collide(*law)?),
         _ => Ok(column.collide_in_steps(*law, STEPS)?),
     };
@@ -72,12 +72,12 @@ pub fn make_a(_: &Options) -> Result<Made> {
         figure = figure.with(series.param("N", TEN as f64));
         progress.add(1);
     }
-    let look = Predictor::new("A column of 10 beads at a wall, ε = 0.9 (L94 Fig. 2a)")
+    let style = PlotStyle::new("A column of 10 beads at a wall, ε = 0.9 (L94 Fig. 2a)")
         .labels("σ = *s*_{0}/(*v*_{0} *t*_{c})", "ε_{eff}")
         .scales(Scale::LOG.from(5e-4, 2e3), Scale::LINEAR.from(0.0, 1.05))
         .kinds(&[Kind::Both, Kind::Line, Kind::Dots])
         .mark(Mark::Level(0.341, "paper: ED, 0.341".to_owned()));
-    let picture = draw::draw(&figure, &look);
+    let picture = draw::draw(&figure, &style);
     let notes = notes_a(&figure)?;
     Ok(Made { figure, picture, notes })
 }
@@ -189,12 +189,12 @@ pub fn make_b(options: &Options) -> Result<Made> {
         Note::new("eMD*, N = 10, ε = 0.9", "not given", format!("{:.5}", at(&figure, "eMD*", 0.9))),
         Note::new("ED, N = 10, ε = 0.6", "≈ 1", format!("{:.5}", at(&figure, "ED", 0.6))),
     ];
-    let look = Predictor::new("Beads in contact hit a wall (L94 Fig. 2b)")
+    let style = PlotStyle::new("Beads in contact hit a wall (L94 Fig. 2b)")
         .labels("*N*", "1 − ε_{eff}")
         .scales(Scale::LOG, Scale::LOG)
         .mark(line(&figure, 0.6, -0.5))
         .mark(line(&figure, 0.975, -0.315));
-    let picture = draw::draw(&figure, &styled(look));
+    let picture = draw::draw(&figure, &styled(style));
     Ok(Made { figure, picture, notes })
 }
 
@@ -220,7 +220,7 @@ fn named(run: &Touching) -> Series {
 }
 
 /// MD with lines and dots, ED with lines, eMD* with dots; one colour for each ε.
-fn styled(look: Predictor) -> Predictor {
+fn styled(style: PlotStyle) -> PlotStyle {
     let kinds = [Kind::Both, Kind::Line, Kind::Dots];
     let kinds: Vec<Kind> = kinds.iter().flat_map(|kind| [*kind; RESTITUTIONS.len()]).collect();
     let shade = |light: f32| {
@@ -228,7 +228,7 @@ fn styled(look: Predictor) -> Predictor {
             .map(move |k| Colour::scale(0.85 * k as f64 / 4.0).with_opacity(light))
     };
     let colours = shade(1.0).chain(shade(0.45)).chain(shade(0.8)).collect();
-    Predictor { colours, ..look.kinds(&kinds) }
+    PlotStyle { colours, ..style.kinds(&kinds) }
 }
 
 /// L94 Fig. 2c: E_r/E_f of beads in contact, against N.
@@ -251,11 +251,11 @@ pub fn make_c(options: &Options) -> Result<Made> {
         Note::new("ED, N = 10, ε = 0.9", "not given", format!("{:.5}", at(&figure, "ED", 0.9))),
         Note::new("eMD*, N = 10, ε = 0.9", "not given", format!("{:.5}", at(&figure, "eMD*", 0.9))),
     ];
-    let look = Predictor::new("Energy relative to the centre of mass (L94 Fig. 2c)")
+    let style = PlotStyle::new("Energy relative to the centre of mass (L94 Fig. 2c)")
         .labels("*N*", "*E*_{r}/*E*_{f}")
         .scales(Scale::LOG, Scale::LINEAR.from(0.0, 0.08))
         .mark(Mark::Points(vec![[10.0, 0.035]], "paper: N = 10, ε = 0.9".to_owned()));
-    let picture = draw::draw(&figure, &styled(look));
+    let picture = draw::draw(&figure, &styled(style));
     Ok(Made { figure, picture, notes })
 }
 
@@ -278,7 +278,7 @@ pub fn law([beta, gamma, per_mass, damping]: [f64; 4]) -> ForceLaw {
 /// Makes the figure.
 ///
 /// # Errors
-/// What a method says.
+/// An error of a method.
 pub fn make_laws(options: &Options) -> Result<Made> {
     let runs = LAWS.map(|(name, numbers)| ("MD", name, numbers)).into_iter();
     let hooke = LAWS[0];
@@ -302,10 +302,10 @@ pub fn make_laws(options: &Options) -> Result<Made> {
     let series = runs.par_iter().map(one).collect::<Result<Vec<_>>>()?;
     let figure =
         series.into_iter().fold(Figure::new("l94-3", ["N", "ε_eff"]), |f, series| f.with(series));
-    let look = Predictor::new("Beads in contact, three force laws (L94 Fig. 3)")
+    let style = PlotStyle::new("Beads in contact, three force laws (L94 Fig. 3)")
         .labels("*N*", "ε_{eff}")
         .scales(Scale::LOG, Scale::LINEAR.from(-0.02, 1.05));
-    let picture = draw::draw(&figure, &look);
+    let picture = draw::draw(&figure, &style);
     let notes = figure.series.iter().map(note_laws).collect();
     Ok(Made { figure, picture, notes })
 }

@@ -1,7 +1,7 @@
 //! How do ten beads move, at a wall and on a plate? Reads gaps and contact times; writes trajectories by MD, ED and eMD* (L94 Figs. 1, 5).
 
 use super::column::Column;
-use super::hard::{self, Way};
+use super::hard::{self, Variant};
 use super::loss::METHODS;
 use super::shaken::Shaken;
 use crate::figure::data::{Figure, Made, Note, Options, Series};
@@ -30,8 +30,8 @@ fn reduced(method: &str, gap: f64) -> Result<Vec<Vec<f64>>> {
     let law = ForceLaw::spring_of(1.0, CONTACT_TIME, 0.9)?;
     let column = Column::new(BEADS, SPEED, gap);
     let mut heights = match method {
-        "ED" => hard::heights(&column, &law, Way::Instant, &times(gap))?,
-        "eMD*" => hard::heights(&column, &law, Way::Lasting, &times(gap))?,
+        "ED" => hard::heights(&column, &law, Variant::Instant, &times(gap))?,
+        "eMD*" => hard::heights(&column, &law, Variant::Lasting, &times(gap))?,
         _ => column.heights_at(law, &times(gap))?,
     };
     for row in &mut heights {
@@ -45,7 +45,7 @@ fn reduced(method: &str, gap: f64) -> Result<Vec<Vec<f64>>> {
 /// Makes the figure.
 ///
 /// # Errors
-/// What a method says.
+/// An error of a method.
 pub fn at_a_wall(_: &Options) -> Result<Made> {
     let mut figure = Figure::new("l94-1", ["t (s)", "z_i = h_i - (i - 1) d - d/2 (m)"]);
     let (mut diagrams, mut notes) = (Vec::new(), Vec::new());
@@ -114,7 +114,7 @@ fn column(contact_time: f64) -> Shaken {
 /// Makes the figure.
 ///
 /// # Errors
-/// What a method says.
+/// An error of a method.
 pub fn on_a_plate(options: &Options) -> Result<Made> {
     let periods = if options.full { 40 } else { 10 };
     let sample = 1.0 / (FREQUENCY * SAMPLES_PER_PERIOD as f64);
@@ -132,7 +132,7 @@ pub fn on_a_plate(options: &Options) -> Result<Made> {
             ensure!(!heights.is_empty(), "{method}: too many events before the first sample");
             notes.push(note_plate(method, contact_time, &heights));
             if method != "MD" {
-                notes.push(told(method, contact_time, &events, times[heights.len() - 1]));
+                notes.push(note(method, contact_time, &events, times[heights.len() - 1]));
             }
             let mut curves = Vec::new();
             for bead in 0..BEADS {
@@ -165,7 +165,7 @@ fn series(method: &str, t_c: f64, bead: usize, times: &[f64], heights: &[Vec<f64
 }
 
 /// What the engine counted until it ended.
-fn told(method: &str, contact_time: f64, statistics: &Statistics, end: f64) -> Note {
+fn note(method: &str, contact_time: f64, statistics: &Statistics, end: f64) -> Note {
     let Statistics { collisions, plane_collisions, rests, collapses, interrupted, .. } = statistics;
     let ours = format!(
         "{collisions} collisions, {plane_collisions} with the plate, {interrupted} interrupted, \

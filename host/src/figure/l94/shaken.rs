@@ -2,12 +2,12 @@
 
 use super::hard;
 use crate::figure::data::{Figure, Made, Note, Options, Series};
-use crate::figure::draw::{self, Kind, Mark, Predictor, Scale};
+use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::figure::fit;
+use crate::heap_memory::HeapMemory;
 use crate::integrated::Integrated;
 use crate::plot::Scene;
 use crate::progress::Progress;
-use crate::storage::HeapMemory;
 use anyhow::{Result, ensure};
 use carom::law::{HardSphere, Rule};
 use carom::space::{Plane, Surface, Vibration};
@@ -107,7 +107,7 @@ impl Shaken {
     /// The same by ED, and what the engine counted.
     ///
     /// # Errors
-    /// A fault of the engine.
+    /// An error of the engine.
     pub fn by_ed(&self, times: &[f64]) -> Result<(Vec<Vec<f64>>, Statistics)> {
         let [pair, wall] = hard::restitution(&hard::dashpot(&self.law()?)?);
         let mut storage = HeapMemory::<f64, 1>::new(self.beads);
@@ -119,7 +119,7 @@ impl Shaken {
     /// The same by eMD*.
     ///
     /// # Errors
-    /// A fault of the engine.
+    /// An error of the engine.
     pub fn by_star(&self, times: &[f64]) -> Result<(Vec<Vec<f64>>, Statistics)> {
         let law = hard::dashpot(&self.law()?)?;
         let mut storage = HeapMemory::<f64, 1>::new(self.beads);
@@ -130,12 +130,12 @@ impl Shaken {
 
     fn on<'m, R: Rule<f64>>(
         &self,
-        setup: WorldBuilder<'m, f64, 1, R>,
+        builder: WorldBuilder<'m, f64, 1, R>,
         surface: Surface<f64>,
     ) -> Result<World<'m, f64, 1, R>, Error> {
         let vibration = Vibration::new(self.amplitude, self.frequency);
         let bead = |z: f64| carom::Grain::with_mass(0.5 * self.diameter, 1.0).at([z]);
-        setup
+        builder
             .plane(Plane::new([1.0], 0.0, surface).vibrating(vibration))
             .gravity([-GRAVITY])
             .grains(self.places().map(bead))?
@@ -185,7 +185,7 @@ pub fn theory(agitation: f64) -> f64 {
     4.0 / 3.0 * speed * speed / GRAVITY * phi / x
 }
 
-/// For how many periods columns are watched, in all: a flight takes about α/2 of them, and events are what costs.
+/// For how many periods columns are measured, in all: a flight takes about α/2 of them, and events are what costs.
 pub fn periods(method: &str, beads: usize, agitation: f64, full: bool) -> usize {
     let per_agitation = match (method, beads) {
         ("MD", _) => 180.0,
@@ -200,7 +200,7 @@ pub fn periods(method: &str, beads: usize, agitation: f64, full: bool) -> usize 
 /// error is that of ten independent means.
 ///
 /// # Errors
-/// What the method says.
+/// An error of the method.
 pub fn risen(method: &str, beads: usize, agitation: f64, periods: usize) -> Result<[f64; 2]> {
     let one = |k: usize| of_one(method, beads, agitation, (periods.div_ceil(COLUMNS), k));
     let means: Vec<f64> = (0..COLUMNS).into_par_iter().map(one).collect::<Result<_>>()?;
@@ -235,7 +235,7 @@ fn of_one(
 /// Makes the figure.
 ///
 /// # Errors
-/// What a method says.
+/// An error of a method.
 pub fn make(options: &Options) -> Result<Made> {
     let curves = [("MD", BEADS), ("ED", BEADS), ("eMD*", BEADS), ("ED", MANY)];
     let progress = Progress::new("l94-7", (curves.len() * AGITATIONS.len()) as u64);
@@ -264,7 +264,7 @@ pub fn make(options: &Options) -> Result<Made> {
 fn picture(figure: &Figure) -> Scene {
     let labels = ["α = *A*_{0}ω^{2}/*g*", "*h*_{cm} − *h*_{cm0} [m]"];
     let curve = (0..=84).map(|k| 0.5 * f64::from(k)).map(|a| [a, theory(a)]).collect();
-    let plain = Predictor::new("Shaken columns, *N* (1 − ε) = 0.8, *f* = 20 Hz (L94 Fig. 7)")
+    let plain = PlotStyle::new("Shaken columns, *N* (1 − ε) = 0.8, *f* = 20 Hz (L94 Fig. 7)")
         .labels(labels[0], labels[1])
         .scales(Scale::LINEAR.from(0.0, 42.0), Scale::LINEAR)
         .kinds(&[Kind::Dots])
@@ -274,7 +274,7 @@ fn picture(figure: &Figure) -> Scene {
         x.iter().zip(y).for_each(|(x, y)| *y /= theory(*x));
         x.iter().zip(yerr).for_each(|(x, e)| *e /= theory(*x));
     }
-    let relative = Predictor::new("The same, in units of Eq. (10)")
+    let relative = PlotStyle::new("The same, in units of Eq. (10)")
         .labels(labels[0], "(*h*_{cm} − *h*_{cm0}) / Eq. (10)")
         .scales(Scale::LINEAR.from(0.0, 42.0), Scale::LINEAR.from(0.85, 1.08))
         .mark(Mark::Level(1.0, "paper: Eq. (10)".to_owned()))

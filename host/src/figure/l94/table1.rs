@@ -1,7 +1,7 @@
 //! How do depth, duration and loss of a contact grow with the impact speed? Reads exponents β and γ; writes L94 Table I, measured.
 
 use crate::figure::data::{Figure, Made, Note, Options, Series};
-use crate::figure::draw::{self, Kind, Mark, Predictor, Scale};
+use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::figure::fit::slope;
 use anyhow::Result;
 use carom_reference::{End, ForceLaw, Grain, ReferenceError, collide};
@@ -85,11 +85,11 @@ pub fn make(_: &Options) -> Result<Made> {
         let what = format!("ν1, ν2, ν3 for β = {beta}, γ = {gamma}");
         notes.push(Note::new(what, shown(right), shown(found)));
     }
-    let look = Predictor::new("Exponents of the impact speed (L94 Table I)")
+    let style = PlotStyle::new("Exponents of the impact speed (L94 Table I)")
         .labels("*k*: ν_{1} of *x*_{max}, ν_{2} of *t*_{c}, ν_{3} of 1 − ε", "ν_{k}")
         .scales(Scale::LINEAR.from(0.5, 3.5), Scale::LINEAR.from(-0.4, 1.1))
         .kinds(&[Kind::Dots])
         .mark(Mark::Points(wanted, "Eqs. (A1), (A2), (A4)".to_owned()));
-    let picture = draw::draw(&figure, &look);
+    let picture = draw::draw(&figure, &style);
     Ok(Made { figure, picture, notes })
 }

@@ -1,11 +1,11 @@
 //! Where can eMD* be trusted? Runs MP13's gas of soft spheres; writes how often it makes exceptions (MP13 Sec. VI B 6, Fig. 7).
 
 use crate::figure::data::{Figure, Made, Note, Options, Series};
-use crate::figure::draw::{self, Mark, Predictor, Scale};
+use crate::figure::draw::{self, Mark, PlotStyle, Scale};
 use crate::figure::hard::Fluid;
+use crate::heap_memory::HeapMemory;
 use crate::plot::{Colour, Scene};
 use crate::progress::Progress;
-use crate::storage::HeapMemory;
 use crate::tables::{Size, embedded};
 use anyhow::{Context, Result};
 use carom::law::{Outside, Soft, Viscoelastic};
@@ -90,7 +90,7 @@ impl SoftGas {
     /// Grains in equilibrium, as hard spheres.
     ///
     /// # Errors
-    /// What the engine says.
+    /// An error of the engine.
     pub fn start(&self) -> Result<Vec<Grain<f64, 3>>> {
         let soft = |grain: &Grain<f64, 3>| {
             let (at, v) = (grain.position * (2.0 * RADIUS), grain.velocity * SPEED);
@@ -102,14 +102,14 @@ impl SoftGas {
     /// Counts the exceptions in so many collisions.
     ///
     /// # Errors
-    /// What the engine says.
+    /// An error of the engine.
     pub fn count(&self, collisions: u64) -> Result<Counted> {
         let half = 0.5 * self.edge();
         let mut storage = HeapMemory::<f64, 3>::new(self.grains);
-        let setup = World::builder(&mut storage).periodic([[-half, half]; 3]).rule(self.rule());
-        let mut world = setup.grains(self.start()?)?.start()?;
+        let builder = World::builder(&mut storage).periodic([[-half, half]; 3]).rule(self.rule());
+        let mut world = builder.grains(self.start()?)?.start()?;
         while world.statistics().collisions < collisions {
-            world.step()?.context("no grain will ever meet another")?;
+            world.step()?.context("no grain will ever collide")?;
         }
         let energy = world.view().kinetic_energy() / (self.grains as f64 * mass());
         Ok(Counted {
@@ -214,12 +214,12 @@ fn picture(figure: &Figure) -> Scene {
             "packing" => ("*Y* = 1 GPa", "packing fraction η", [2e-4, 0.2]),
             _ => ("η = 0.001", "*Y* [Pa]", [4e6, 3e11]),
         };
-        let look =
-            Predictor::new(format!("Exceptions of eMD∗, *N* = 10,000, {title} (MP13 Fig. 7)"))
+        let style =
+            PlotStyle::new(format!("Exceptions of eMD∗, *N* = 10,000, {title} (MP13 Fig. 7)"))
                 .labels(label, "*f*_{e} [1/1000]")
                 .scales(Scale::LOG.from(range[0], range[1]), Scale::LOG.from(1e-3, 1e3))
                 .mark(Mark::Level(1.0, "paper: “about 0.1 %”".to_owned()));
-        draw::draw(&part, &Predictor { colours: colours(), ..look })
+        draw::draw(&part, &PlotStyle { colours: colours(), ..style })
     });
     draw::beside(left, right)
 }

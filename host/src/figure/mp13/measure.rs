@@ -2,7 +2,7 @@
 
 use super::gas::{POISSON, RADIUS, SPEED, SoftGas, mass};
 use crate::figure::hard::pressure;
-use crate::storage::HeapMemory;
+use crate::heap_memory::HeapMemory;
 use anyhow::Result;
 use carom::law::{Central, Rule};
 use carom::world::Event;
@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 
 /// How contacts are dealt with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum Variant {
     /// As instantaneous collisions.
     Emd,
     /// With the matrix of restitution.
@@ -22,7 +22,7 @@ pub enum Way {
     Md,
 }
 
-impl Way {
+impl Variant {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Emd, Self::EmdStar, Self::Md];
 
@@ -74,12 +74,12 @@ pub fn enskog(packing: f64) -> [f64; 2] {
     [free, diffusion]
 }
 
-/// Times at which a gas is looked at.
+/// Times at which a gas is sampled.
 struct Clock {
     settle: f64,
-    /// Between two looks, in none of which a grain flies through half the box.
-    look: f64,
-    looks: usize,
+    /// Between two points, in none of which a grain flies through half the box.
+    spacing: f64,
+    points: usize,
     samples: usize,
 }
 
@@ -87,22 +87,22 @@ impl Clock {
     fn new(gas: &SoftGas, effort: Effort) -> Self {
         let [free, _] = enskog(gas.packing);
         let interval = free / SAMPLES as f64;
-        let looks = (interval * 16.0 * SPEED / gas.edge()).ceil().max(1.0);
+        let points = (interval * 16.0 * SPEED / gas.edge()).ceil().max(1.0);
         let samples = (effort.measure * SAMPLES as f64) as usize;
-        let [settle, look] = [effort.settle * free, interval / looks];
-        Self { settle, look, looks: looks as usize, samples }
+        let [settle, spacing] = [effort.settle * free, interval / points];
+        Self { settle, spacing, points: points as usize, samples }
     }
 
-    /// Runs through all looks; `advance` goes to a time and returns where the grains are then.
+    /// Runs through all points; `advance` goes to a time and returns where the grains are then.
     fn run(
         &self,
         edge: f64,
         mut advance: impl FnMut(f64) -> Result<Vec<[f64; 3]>>,
     ) -> Result<Tracks> {
         let mut tracks = Tracks::new(edge, advance(self.settle)?);
-        for look in 1..=self.samples * self.looks {
-            tracks.follow(advance(self.settle + look as f64 * self.look)?);
-            if look % self.looks == 0 {
+        for point in 1..=self.samples * self.points {
+            tracks.follow(advance(self.settle + point as f64 * self.spacing)?);
+            if point % self.points == 0 {
                 tracks.keep();
             }
         }
@@ -110,32 +110,32 @@ impl Clock {
     }
 
     fn measured(&self) -> f64 {
-        (self.samples * self.looks) as f64 * self.look
+        (self.samples * self.points) as f64 * self.spacing
     }
 
     fn diffusion(&self, tracks: &Tracks) -> f64 {
-        tracks.diffusion(AGES.map(|age| age * SAMPLES), self.looks as f64 * self.look)
+        tracks.diffusion(AGES.map(|age| age * SAMPLES), self.points as f64 * self.spacing)
     }
 }
 
 /// Measures an elastic gas.
 ///
 /// # Errors
-/// What the engine or the reference says.
-pub fn measure(gas: &SoftGas, way: Way, effort: Effort) -> Result<Measured> {
+/// An error of the engine or the reference.
+pub fn measure(gas: &SoftGas, way: Variant, effort: Effort) -> Result<Measured> {
     let gas = SoftGas { dissipation: 0.0, ..*gas };
     match way {
-        Way::Emd => by_events(&gas, Central(gas.rule()), effort),
-        Way::EmdStar => by_events(&gas, gas.rule(), effort),
-        Way::Md => by_force(&gas, effort),
+        Variant::Emd => by_events(&gas, Central(gas.rule()), effort),
+        Variant::EmdStar => by_events(&gas, gas.rule(), effort),
+        Variant::Md => by_force(&gas, effort),
     }
 }
 
 fn by_events(gas: &SoftGas, rule: impl Rule<f64>, effort: Effort) -> Result<Measured> {
     let (half, clock) = (0.5 * gas.edge(), Clock::new(gas, effort));
     let mut storage = HeapMemory::<f64, 3>::new(gas.grains);
-    let setup = World::builder(&mut storage).periodic([[-half, half]; 3]).rule(rule);
-    let mut world = setup.grains(gas.start()?)?.start()?;
+    let builder = World::builder(&mut storage).periodic([[-half, half]; 3]).rule(rule);
+    let mut world = builder.grains(gas.start()?)?.start()?;
     let energy = world.view().kinetic_energy();
     let mut flux = Flux::default();
     let tracks = clock.run(gas.edge(), |t| {
@@ -177,7 +177,7 @@ fn by_force(gas: &SoftGas, effort: Effort) -> Result<Measured> {
         if t <= clock.settle {
             before = run.virial();
         } else {
-            moving += clock.look * kinetic((0..gas.grains).map(|i| run.velocity(i)));
+            moving += clock.spacing * kinetic((0..gas.grains).map(|i| run.velocity(i)));
         }
         Ok((0..gas.grains).map(|i| run.position(i)).collect())
     })?;
@@ -201,14 +201,14 @@ fn kinetic(velocities: impl Iterator<Item = [f64; 3]>) -> f64 {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Flux {
     sum: f64,
-    /// μ r·v of the two that are about to meet.
+    /// μ r·v of the two that are about to collide.
     before: f64,
     /// μ v'² times what is left of the contacts of the two, in case they are ended now.
     left: f64,
 }
 
 impl Flux {
-    /// D P V t − 2 E t, with the energy E of the gas, over the time that was watched.
+    /// D P V t − 2 E t, with the energy E of the gas, over the time that was measured.
     pub const fn sum(&self) -> f64 {
         self.sum
     }

@@ -4,9 +4,9 @@
 //! energy is the same; what differs is what contacts do.
 
 use super::gas::SoftGas;
-use super::measure::{Effort, Measured, Way, measure};
+use super::measure::{Effort, Measured, Variant, measure};
 use crate::figure::data::{Figure, Made, Note, Options, Series, Value};
-use crate::figure::draw::{self, Mark, Predictor, Scale};
+use crate::figure::draw::{self, Mark, PlotStyle, Scale};
 use crate::figure::fit;
 use crate::plot::{Colour, Scene};
 use crate::progress::Progress;
@@ -21,14 +21,14 @@ const QUANTITIES: [&str; 2] = ["self-diffusion", "pressure"];
 const UNITS: [&str; 2] = ["m²/s", "2 E/(3 V)"];
 
 /// One gas, by one method, with one seed.
-type Job = (SoftGas, Way);
+type Job = (SoftGas, Variant);
 
 /// What is known of one gas by one method: mean and standard error of both quantities, over seeds.
 #[derive(Clone, Copy)]
 struct Point {
     packing: f64,
     young: f64,
-    way: Way,
+    way: Variant,
     found: [[f64; 2]; 2],
     exceptions: f64,
 }
@@ -36,7 +36,7 @@ struct Point {
 /// Makes the figure.
 ///
 /// # Errors
-/// What a method says.
+/// An error of a method.
 pub fn make(options: &Options) -> Result<Made> {
     let (seeds, measure) = if options.full { (16, 100.0) } else { (4, 50.0) };
     let effort = Effort { settle: 10.0, measure, steps: 50.0 };
@@ -45,7 +45,7 @@ pub fn make(options: &Options) -> Result<Made> {
     let mut figure = Figure::new("mp13-7-transport", axes);
     for (k, quantity) in QUANTITIES.into_iter().enumerate() {
         for young in MODULI {
-            for way in Way::ALL {
+            for way in Variant::ALL {
                 figure = figure.with(series((k, quantity), young, way, &points));
             }
         }
@@ -57,9 +57,9 @@ pub fn make(options: &Options) -> Result<Made> {
 
 fn points(seeds: u64, effort: Effort) -> Result<Vec<Point>> {
     let gases = MODULI.iter().flat_map(|young| PACKINGS.map(|packing| (*young, packing)));
-    let kinds: Vec<(f64, f64, Way)> =
-        gases.flat_map(|(young, packing)| Way::ALL.map(|way| (young, packing, way))).collect();
-    let job = |(young, packing, way): &(f64, f64, Way), seed| {
+    let kinds: Vec<(f64, f64, Variant)> =
+        gases.flat_map(|(young, packing)| Variant::ALL.map(|way| (young, packing, way))).collect();
+    let job = |(young, packing, way): &(f64, f64, Variant), seed| {
         let (young, packing) = (*young, *packing);
         (SoftGas { grains: GRAINS, packing, young, dissipation: 0.0, seed }, *way)
     };
@@ -76,13 +76,13 @@ fn points(seeds: u64, effort: Effort) -> Result<Vec<Point>> {
     Ok(kinds.iter().zip(runs).map(|(kind, runs)| point(*kind, runs)).collect())
 }
 
-fn point((young, packing, way): (f64, f64, Way), runs: &[Measured]) -> Point {
+fn point((young, packing, way): (f64, f64, Variant), runs: &[Measured]) -> Point {
     let mean = |of: fn(&Measured) -> f64| fit::mean(&runs.iter().map(of).collect::<Vec<_>>());
     let found = [mean(|run| run.diffusion), mean(|run| run.pressure)];
     Point { packing, young, way, found, exceptions: mean(|run| run.exceptions)[0] }
 }
 
-fn series((k, quantity): (usize, &str), young: f64, way: Way, points: &[Point]) -> Series {
+fn series((k, quantity): (usize, &str), young: f64, way: Variant, points: &[Point]) -> Series {
     let mut series = Series::new(format!("{}, Y = {young:e} Pa", way.name()))
         .param("method", way.name())
         .param("quantity", quantity)
@@ -95,25 +95,25 @@ fn series((k, quantity): (usize, &str), young: f64, way: Way, points: &[Point]) 
 }
 
 /// By how much a value differs from another, in per cent, with its error.
-fn apart([value, error]: [f64; 2], [other, of_other]: [f64; 2]) -> [f64; 2] {
+fn difference([value, error]: [f64; 2], [other, of_other]: [f64; 2]) -> [f64; 2] {
     let ratio = value / other;
     [100.0 * (ratio - 1.0), 100.0 * ratio * (error / value).hypot(of_other / other)]
 }
 
 fn note(point: &Point, all: &[Point]) -> Note {
     let same = |p: &&Point| p.packing == point.packing && p.young == point.young;
-    let md = all.iter().filter(same).find(|p| p.way == Way::Md).unwrap_or(point);
+    let md = all.iter().filter(same).find(|p| p.way == Variant::Md).unwrap_or(point);
     let text = |k: usize| {
         let [value, error] = point.found[k];
-        let [more, of_more] = apart(point.found[k], md.found[k]);
+        let [more, of_more] = difference(point.found[k], md.found[k]);
         let than = match point.way {
-            Way::Md => String::new(),
+            Variant::Md => String::new(),
             _ => format!(" ({more:+.2} ± {of_more:.2} % from MD)"),
         };
         format!("{} {value:.5} ± {error:.5} {}{than}", QUANTITIES[k], UNITS[k])
     };
     let exceptions = match point.way {
-        Way::EmdStar => format!("; {:.2} exceptions per 1000", 1000.0 * point.exceptions),
+        Variant::EmdStar => format!("; {:.2} exceptions per 1000", 1000.0 * point.exceptions),
         _ => String::new(),
     };
     let what = format!("η = {}, Y = {:e} Pa, {}", point.packing, point.young, point.way.name());
@@ -135,17 +135,17 @@ fn panel(figure: &Figure, quantity: &str) -> Scene {
             let mut series = Series::new(format!("{method}, Y = {gpa}"));
             for i in 0..found.x.len() {
                 let of = |s: &Series| [s.y[i], s.yerr[i]];
-                let [y, error] = apart(of(found), of(md));
+                let [y, error] = difference(of(found), of(md));
                 series.push_with_error(found.x[i], y, error);
             }
             part = part.with(series);
         }
     }
-    let look = Predictor::new(format!("{quantity}: difference from MD (*N* = 1,000, elastic)"))
+    let style = PlotStyle::new(format!("{quantity}: difference from MD (*N* = 1,000, elastic)"))
         .labels("packing fraction η", "difference [%]")
         .scales(Scale::LOG.from(7e-3, 0.45), Scale::LINEAR)
         .mark(Mark::Level(0.0, "MD".to_owned()));
-    draw::draw(&part, &Predictor { colours: colours(), ..look })
+    draw::draw(&part, &PlotStyle { colours: colours(), ..style })
 }
 
 /// One colour a method, paler for the soft grains.

@@ -12,7 +12,7 @@ fn main() -> ! {
     let Some(peripherals) = cortex_m::Peripherals::take() else { process::exit(2) };
     let mut chip = Chip::start(peripherals.SYST, CLOCK);
     if app::tilt_box::<Number>(table(), &mut chip).is_err() {
-        chip.write(b"fault\n");
+        chip.write(b"error\n");
         process::exit(1)
     }
     process::exit(0)

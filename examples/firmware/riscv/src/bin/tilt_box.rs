@@ -11,7 +11,7 @@ use semihosting::process;
 fn main() -> ! {
     let mut chip = Chip::start();
     if app::tilt_box::<Number>(table(), &mut chip).is_err() {
-        chip.write(b"fault\n");
+        chip.write(b"error\n");
         process::exit(1)
     }
     process::exit(0)

@@ -1,17 +1,20 @@
 //! How does a running world look from outside? Reads a world; writes what JavaScript sees.
 
-use crate::plan::{D, MAX_GRAINS};
-use crate::rule::{Chosen, INTEGRATED};
+use crate::description::{D, MAX_GRAINS};
+use crate::rule::{ChosenRule, INTEGRATED};
 use carom::World;
 use carom::world::Statistics;
 use core::sync::atomic::Ordering;
 
-/// The names of [`Shown::statistics`], in their order.
-pub const COUNTERS: &str = "collisions,planeCollisions,releases,rotationRefused,interrupted,putOff,\
-clamped,hardSphere,rests,takeOffs,withinTc,collapses,supported_collisions,reordered,stale,cell_crossings,epochs,integrated";
+/// The names of [`ViewBuffers::statistics`], in their order.
+pub const STATISTICS: &str = "collisions,planeCollisions,releases,rotationRefused,interrupted,deferred,\
+clamped,hardSphere,rests,takeOffs,withinTc,collapses,supportedCollisions,reordered,stale,cellCrossings,\
+rechecks,epochs,integrated";
+/// How many there are.
+const COUNT: usize = 19;
 
 /// What JavaScript reads in place.
-pub struct Shown {
+pub struct ViewBuffers {
     /// `D` numbers for each grain.
     pub positions: [f64; D * MAX_GRAINS],
     /// `D` numbers for each grain.
@@ -19,27 +22,27 @@ pub struct Shown {
     /// For each grain 0: in flight, 1: in a lasting contact, 2: at rest.
     pub states: [u8; MAX_GRAINS],
     /// How often everything happened.
-    pub statistics: [f64; 18],
+    pub statistics: [f64; COUNT],
     /// The present; before when nothing happens (infinite if nothing ever will); kinetic energy.
     pub clock: [f64; 3],
 }
 
-impl Shown {
+impl ViewBuffers {
     /// Nothing yet.
     pub const fn new() -> Self {
         Self {
             positions: [0.0; D * MAX_GRAINS],
             velocities: [0.0; D * MAX_GRAINS],
             states: [0; MAX_GRAINS],
-            statistics: [0.0; 18],
+            statistics: [0.0; COUNT],
             clock: [0.0; 3],
         }
     }
 }
 
-impl Shown {
+impl ViewBuffers {
     /// Writes what can be seen.
-    pub fn write(&mut self, world: &World<'_, f64, D, Chosen>) {
+    pub fn write(&mut self, world: &World<'_, f64, D, ChosenRule>) {
         let view = world.view();
         let places = self.positions.chunks_exact_mut(D).zip(self.velocities.chunks_exact_mut(D));
         for (i, ((position, velocity), state)) in places.zip(&mut self.states).enumerate() {
@@ -54,7 +57,7 @@ impl Shown {
     }
 }
 
-fn numbers(c: &Statistics) -> [f64; 18] {
+fn numbers(c: &Statistics) -> [f64; COUNT] {
     let integrated = INTEGRATED.load(Ordering::Relaxed);
     [
         c.collisions,
@@ -73,6 +76,7 @@ fn numbers(c: &Statistics) -> [f64; 18] {
         c.reordered,
         c.stale,
         c.cell_crossings,
+        c.rechecks,
         c.epochs,
         integrated,
     ]

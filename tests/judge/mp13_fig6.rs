@@ -8,7 +8,7 @@ use std::path::Path;
 
 /// MP13 §VI.A: k = 2 kN/m, R = 0.1 m, ρ = 1140 kg/m³, elastic.
 const LAW: LinearDashpot<f64> = LinearDashpot { stiffness: 2000.0, damping: 0.0 };
-const REACH: f64 = 0.2;
+const CONTACT_DISTANCE: f64 = 0.2;
 
 struct Path6 {
     tau: f64,
@@ -65,7 +65,7 @@ fn off(rule: impl Rule<f64>, path: &Path6) -> f64 {
         world.advance_to(EARLY + t * path.tau).unwrap();
         for i in 0..2 {
             let at = world.grain(i).unwrap().position;
-            worst = worst.max(distance(&at, &path.md[i][j]) / REACH);
+            worst = worst.max(distance(&at, &path.md[i][j]) / CONTACT_DISTANCE);
         }
     }
     worst

@@ -1,8 +1,7 @@
-//! What does the page want? Keeps what JavaScript described until the world starts; reads it, writes carom's setup.
+//! Which world did JavaScript describe? Keeps the description until the world starts; reads it, builds the world.
 
-use crate::rule::{Chosen, Material};
-use carom::space::MAX_PLANES;
-use carom::space::{Plane, Surface, Vibration};
+use crate::rule::{ChosenRule, Material};
+use carom::space::{MAX_PLANES, Plane, Surface, Vibration};
 use carom::{Error, Grain, Memory, World};
 
 /// The dimension of this module's worlds.
@@ -16,14 +15,14 @@ pub const D: usize = if cfg!(feature = "line") {
 /// The most grains of a world.
 pub const MAX_GRAINS: usize = 500;
 /// Numbers that describe a grain: radius, mass, material, position, velocity.
-pub const WORDS: usize = 9;
+pub const GRAIN_FIELDS: usize = 9;
 
 /// A plane as it came: normal, offset, restitution (NaN: by the rule), amplitude, frequency (0: at rest), phase.
 pub type Wall = [f64; 8];
 
 /// Everything but the grains.
-pub struct Plan {
-    /// One plane more than carom takes, so that it is carom that refuses it.
+pub struct Description {
+    /// One plane more than carom takes, so that the error is carom's.
     pub planes: heapless::Vec<Wall, { MAX_PLANES + 1 }>,
     /// Low and high end of the periodic axes.
     pub periodic: [Option<[f64; 2]>; 3],
@@ -32,13 +31,13 @@ pub struct Plan {
     /// The TC rule's contact duration.
     pub t_c: f64,
     /// What grains do when they touch.
-    pub rule: Chosen,
+    pub rule: ChosenRule,
 }
 
-impl Plan {
+impl Description {
     /// Empty space.
     pub const fn new() -> Self {
-        let rule = Chosen { material: Material::Hard(1.0), lasting: false, outside: None };
+        let rule = ChosenRule { material: Material::Hard(1.0), lasting: false, outside: None };
         Self {
             planes: heapless::Vec::new(),
             periodic: [None; 3],
@@ -52,19 +51,19 @@ impl Plan {
     pub fn start(
         &self,
         memory: &'static mut Memory<f64, D, MAX_GRAINS>,
-        grains: &[[f64; WORDS]],
-    ) -> Result<World<'static, f64, D, Chosen>, Error> {
-        let mut setup =
+        grains: &[[f64; GRAIN_FIELDS]],
+    ) -> Result<World<'static, f64, D, ChosenRule>, Error> {
+        let mut builder =
             World::builder(memory).gravity(first(&self.gravity)).tc(self.t_c).rule(self.rule);
         for wall in &self.planes {
-            setup = setup.plane(plane(wall));
+            builder = builder.plane(plane(wall));
         }
         for (axis, side) in self.periodic.iter().enumerate() {
             if let Some(side) = side {
-                setup = setup.periodic_axis(axis, *side);
+                builder = builder.periodic_axis(axis, *side);
             }
         }
-        setup.grains(grains.iter().map(grain))?.start()
+        builder.grains(grains.iter().map(grain))?.start()
     }
 }
 
@@ -83,10 +82,10 @@ fn plane(wall: &Wall) -> Plane<f64, D> {
     plane.vibrating(Vibration::new(amplitude, frequency).starting_at(phase))
 }
 
-fn grain(words: &[f64; WORDS]) -> Grain<f64, D> {
-    let &[radius, mass, material, ..] = words;
+fn grain(fields: &[f64; GRAIN_FIELDS]) -> Grain<f64, D> {
+    let &[radius, mass, material, ..] = fields;
     Grain::with_mass(radius, mass)
-        .at(first(&words[3..6]))
-        .moving(first(&words[6..9]))
+        .at(first(&fields[3..6]))
+        .moving(first(&fields[6..9]))
         .of_material(material as u8)
 }

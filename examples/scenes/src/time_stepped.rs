@@ -25,7 +25,7 @@ struct Body<S> {
 }
 
 /// The tilt box as a time-stepped simulation.
-pub struct Stepped<S> {
+pub struct TimeStepped<S> {
     bodies: [Body<S>; GRAINS],
     pairs: [(u8, u8); PAIRS],
     count: usize,
@@ -49,7 +49,7 @@ fn minus<S: Scalar>(a: [S; 2], b: [S; 2]) -> [S; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-impl<S: Scalar> Stepped<S> {
+impl<S: Scalar> TimeStepped<S> {
     /// The grains of the tilt box, and a time step in milliseconds.
     ///
     /// Not inlined: the copy that is made of it does not stay on the stack.
@@ -112,9 +112,9 @@ impl<S: Scalar> Stepped<S> {
         self.count = 0;
         for a in 0..GRAINS {
             for b in 0..a {
-                let apart = minus(self.bodies[a].position, self.bodies[b].position);
-                let reach = self.bodies[a].radius + self.bodies[b].radius + n(SKIN);
-                if dot(apart, apart) < reach * reach && self.count < PAIRS {
+                let separation = minus(self.bodies[a].position, self.bodies[b].position);
+                let cutoff = self.bodies[a].radius + self.bodies[b].radius + n(SKIN);
+                if dot(separation, separation) < cutoff * cutoff && self.count < PAIRS {
                     self.pairs[self.count] = (a as u8, b as u8);
                     self.count += 1;
                 }
@@ -135,16 +135,16 @@ impl<S: Scalar> Stepped<S> {
 
     fn pair(&mut self, a: usize, b: usize) {
         let (one, other) = (self.bodies[a], self.bodies[b]);
-        let apart = minus(one.position, other.position);
-        let (square, reach) = (dot(apart, apart), one.radius + other.radius);
-        if square >= reach * reach {
+        let separation = minus(one.position, other.position);
+        let (square, contact_distance) = (dot(separation, separation), one.radius + other.radius);
+        if square >= contact_distance * contact_distance {
             return;
         }
         let distance = square.sqrt();
-        let approach = -dot(apart, minus(one.velocity, other.velocity)) / distance;
-        let rho = self.stiffness * (one.radius * other.radius / reach).sqrt();
-        let along = force(rho, self.dissipation, reach - distance, approach) / distance;
-        for (axis, part) in apart.into_iter().enumerate() {
+        let approach = -dot(separation, minus(one.velocity, other.velocity)) / distance;
+        let rho = self.stiffness * (one.radius * other.radius / contact_distance).sqrt();
+        let along = force(rho, self.dissipation, contact_distance - distance, approach) / distance;
+        for (axis, part) in separation.into_iter().enumerate() {
             self.bodies[a].force[axis] += along * part;
             self.bodies[b].force[axis] -= along * part;
         }

@@ -20,7 +20,7 @@ struct Hit<const D: usize> {
 }
 
 /// Where a grain is at the beginning of a window, and how far its surface may come within it.
-struct Seen<const D: usize> {
+struct Envelope<const D: usize> {
     position: Vector<D>,
     range: f64,
 }
@@ -28,14 +28,15 @@ struct Seen<const D: usize> {
 impl<const D: usize> Exact<D> {
     /// Looks for contacts that begin before `until` and involve a grain that is in contact; the
     /// first of them is begun.
-    pub(super) fn watch(&mut self, until: f64) -> Option<Event> {
+    pub(super) fn contact_in_window(&mut self, until: f64) -> Option<Event> {
         if until <= self.now {
             return None;
         }
         let mut first: Option<Hit<D>> = None;
-        let seen: Vec<Seen<D>> = (0..self.grains.len()).map(|i| self.see(i, until)).collect();
+        let envelopes: Vec<Envelope<D>> =
+            (0..self.grains.len()).map(|i| self.envelope(i, until)).collect();
         for &grain in self.clusters.iter().flat_map(|cluster| &cluster.grains) {
-            for target in self.reachable(grain, until, &seen) {
+            for target in self.reachable(grain, until, &envelopes) {
                 let hit = self.search(grain, target, until);
                 let sooner = |h: &Hit<D>| first.is_none_or(|f| h.time < f.time);
                 first = hit.filter(sooner).or(first);
@@ -46,28 +47,28 @@ impl<const D: usize> Exact<D> {
         Some(self.begin(hit.grain, hit.target, hit.overlapped))
     }
 
-    fn see(&self, i: usize, until: f64) -> Seen<D> {
+    fn envelope(&self, i: usize, until: f64) -> Envelope<D> {
         let travel = (until - self.now) * self.speed_bound(i, until);
-        Seen { position: self.position(i), range: self.grains[i].radius + travel }
+        Envelope { position: self.position(i), range: self.grains[i].radius + travel }
     }
 
     /// What a grain in contact may come to touch in the window, beyond what it touches.
-    fn reachable(&self, i: usize, until: f64, seen: &[Seen<D>]) -> Vec<Target<D>> {
-        let (me, period) = (&seen[i], self.periods());
+    fn reachable(&self, i: usize, until: f64, envelopes: &[Envelope<D>]) -> Vec<Target<D>> {
+        let (me, period) = (&envelopes[i], self.periods());
         let mut found = self.walls();
         found.retain(|target| {
             let Target::Wall { axis, upper } = *target else { return true };
             let risen = (until - self.now) * self.wall(axis, upper).1.fastest();
             self.approach(i, *target)[0] + me.range + risen >= self.grains[i].radius
         });
-        for (j, other) in seen.iter().enumerate() {
+        for (j, other) in envelopes.iter().enumerate() {
             let d = minus(&me.position, &other.position);
-            let reach = me.range + other.range;
-            if j == i || surely_apart(&d, reach, &period) {
+            let range = me.range + other.range;
+            if j == i || surely_separate(&d, range, &period) {
                 continue;
             }
-            for shift in Shifts::near(&d, reach, period) {
-                if length(&minus(&d, &shift)) <= reach {
+            for shift in Shifts::near(&d, range, period) {
+                if length(&minus(&d, &shift)) <= range {
                     found.push(Target::Grain { other: j, shift });
                 }
             }
@@ -141,11 +142,11 @@ impl<const D: usize> Exact<D> {
     }
 }
 
-/// A quick no for most pairs: some axis keeps them apart, in the nearest image too.
-fn surely_apart<const D: usize>(d: &Vector<D>, reach: f64, period: &Vector<D>) -> bool {
+/// A cheap test that rules out most pairs: too far along some axis, in the nearest image too.
+fn surely_separate<const D: usize>(d: &Vector<D>, range: f64, period: &Vector<D>) -> bool {
     d.iter().zip(period).any(|(d, period)| {
         let d = d.abs();
-        d > reach && (*period == 0.0 || (d < *period - reach))
+        d > range && (*period == 0.0 || (d < *period - range))
     })
 }
 

@@ -3,14 +3,14 @@
 use carom::Scalar;
 
 /// Bytes, taken one after the other.
-pub struct Draw<'a> {
+pub struct Input<'a> {
     bytes: &'a [u8],
     /// No number so far was larger than a few thousand, smaller than its inverse, or not a number.
-    pub tame: bool,
+    pub moderate: bool,
 }
 
 /// Numbers that break things.
-const WILD: [f64; 16] = [
+const EXTREME: [f64; 16] = [
     0.0,
     -0.0,
     f64::MIN_POSITIVE,
@@ -29,9 +29,9 @@ const WILD: [f64; 16] = [
     f64::NAN,
 ];
 
-impl<'a> Draw<'a> {
+impl<'a> Input<'a> {
     pub const fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, tame: true }
+        Self { bytes, moderate: true }
     }
 
     pub const fn is_empty(&self) -> bool {
@@ -63,7 +63,7 @@ impl<'a> Draw<'a> {
         (f64::from(self.byte()) + 1.0) / 8.0
     }
 
-    /// Mostly in eighths, so that things happen at once; sometimes off by a last place; now and then wild.
+    /// Mostly in eighths, so that things happen at once; sometimes off by a last place; now and then extreme.
     pub fn number<S: Scalar>(&mut self) -> S {
         let eighths = |byte: u8| f64::from(byte.cast_signed()) / 8.0;
         let number = match self.byte() {
@@ -72,17 +72,17 @@ impl<'a> Draw<'a> {
             200..=229 => {
                 eighths(self.byte()) * (1.0 + S::RESOLUTION.to_f64() * eighths(self.byte()))
             }
-            230..=242 => self.wild(),
+            230..=242 => self.extreme(),
             _ => f64::from_le_bytes(std::array::from_fn(|_| self.byte())),
         };
         let size = number.abs();
-        self.tame &= size < 4096.0 && (size > 1.0 / 4096.0 || size == 0.0);
+        self.moderate &= size < 4096.0 && (size > 1.0 / 4096.0 || size == 0.0);
         S::from_f64(number)
     }
 
-    fn wild(&mut self) -> f64 {
+    fn extreme(&mut self) -> f64 {
         let byte = self.byte();
         let sign = if byte & 16 == 0 { 1.0 } else { -1.0 };
-        sign * WILD[usize::from(byte & 15)]
+        sign * EXTREME[usize::from(byte & 15)]
     }
 }

@@ -1,4 +1,4 @@
-//! Can the loop be broken? Collapse, corners, quiet worlds, hostile memory and snapshots; each was once a fault of ours.
+//! Can the loop be broken? Collapse, corners, quiet worlds, odd memory and tampered snapshots; each once failed.
 
 use crate::gas::damped_spring;
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft, Viscoelastic};
@@ -30,7 +30,7 @@ fn soft_grains_in_a_corner_keep_going() {
             .unwrap()
             .start()
             .unwrap();
-        world.advance_to(10.0).unwrap_or_else(|fault| panic!("{n} grains: {fault}"));
+        world.advance_to(10.0).unwrap_or_else(|error| panic!("{n} grains: {error}"));
         for i in 0..usize::from(n) {
             let at = world.grain(i).unwrap().position;
             assert!(at.iter().all(|&x| x > 0.4 && x < 9.6), "{n} grains: {i} is at {at:?}");
@@ -57,13 +57,13 @@ fn the_first_example_runs_on() {
         let angle = f32::from(turn) * 0.7;
         world.set_gravity([9.81 * angle.sin(), -9.81 * angle.cos()]).unwrap();
         let to = 0.05 * f32::from(turn + 1);
-        world.advance_to(to).unwrap_or_else(|fault| panic!("t = {to}: {fault}"));
+        world.advance_to(to).unwrap_or_else(|error| panic!("t = {to}: {error}"));
     }
 }
 
 /// Gravity set anew every frame must not let grains fly out of a periodic box past each other.
 #[test]
-fn gravity_set_every_frame_hides_no_collision() {
+fn gravity_set_every_frame_misses_no_collision() {
     let run = |every_frame: bool| {
         let mut memory = Memory::<f64, 2, 2>::new();
         let grain = Grain::with_mass(0.5, 1.0);
@@ -91,7 +91,7 @@ fn gravity_set_every_frame_hides_no_collision() {
 
 /// An instant that was asked for is not in the past, whatever its rounding.
 #[test]
-fn the_same_instant_can_be_asked_for_twice() {
+fn advancing_twice_to_the_same_instant_is_allowed() {
     let mut memory = Memory::<f32, 1, 1>::new();
     let mut world = World::builder(&mut memory)
         .rule(HardSphere { restitution: 1.0 })
@@ -111,7 +111,7 @@ fn the_same_instant_can_be_asked_for_twice() {
 }
 
 /// Memory with one short slice.
-struct Short {
+struct ShortSlices {
     bodies: Vec<Body<f64, 1>>,
     events: Vec<ScheduledEvent<f64>>,
     tree: Vec<u32>,
@@ -120,7 +120,7 @@ struct Short {
     planes: Vec<Plane<f64, 1>>,
 }
 
-impl Storage<f64, 1> for Short {
+impl Storage<f64, 1> for ShortSlices {
     fn buffers(&mut self) -> Buffers<'_, f64, 1> {
         Buffers {
             bodies: &mut self.bodies,
@@ -137,7 +137,7 @@ impl Storage<f64, 1> for Short {
 fn a_short_slice_is_a_full_memory() {
     for short in 0..4 {
         let n = |which: usize| if which == short { 1 } else { 2 };
-        let mut memory = Short {
+        let mut memory = ShortSlices {
             bodies: vec![Body::default(); n(0)],
             events: vec![ScheduledEvent::default(); n(1)],
             tree: vec![0; n(2)],
@@ -145,8 +145,8 @@ fn a_short_slice_is_a_full_memory() {
             heads: vec![],
             planes: vec![],
         };
-        let setup = World::builder(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
-        let second = setup.grain(Grain::with_mass(0.5, 1.0).at([2.0]));
+        let builder = World::builder(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
+        let second = builder.grain(Grain::with_mass(0.5, 1.0).at([2.0]));
         assert!(matches!(second, Err(Error::Full { capacity: 1, .. })), "slice {short}");
     }
 }
@@ -155,12 +155,12 @@ fn a_short_slice_is_a_full_memory() {
 fn a_plane_without_a_place_is_refused() {
     let start = |walls: usize| {
         let mut memory = Memory::<f64, 2, 1, 3>::default();
-        let mut setup = World::builder(&mut memory);
+        let mut builder = World::builder(&mut memory);
         for wall in 0..walls {
             let normal = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][wall];
-            setup = setup.plane(Plane::new(normal, -5.0, Surface::Rule));
+            builder = builder.plane(Plane::new(normal, -5.0, Surface::Rule));
         }
-        setup.rule(ELASTIC).grain(Grain::with_mass(0.5, 1.0)).unwrap().start().map(|_| ())
+        builder.rule(ELASTIC).grain(Grain::with_mass(0.5, 1.0)).unwrap().start().map(|_| ())
     };
     assert_eq!(start(3), Ok(()));
     assert!(matches!(start(4), Err(Error::Full { capacity: 3, .. })));
@@ -172,20 +172,20 @@ fn boundaries_that_contradict_each_other_are_refused() {
     let mut memory = Memory::<f64, 1, 2>::new();
     let across =
         Plane { normal: [1.0].into(), offset: 0.0, surface: Surface::Rule, vibration: None };
-    let setup = World::builder(&mut memory).periodic([[0.0, 10.0]]).plane(across);
-    assert!(setup.rule(ELASTIC).grain(grain.at([5.0])).unwrap().start().is_err());
+    let builder = World::builder(&mut memory).periodic([[0.0, 10.0]]).plane(across);
+    assert!(builder.rule(ELASTIC).grain(grain.at([5.0])).unwrap().start().is_err());
     let mut memory = Memory::<f64, 1, 2>::new();
-    let setup = World::builder(&mut memory).periodic([[0.0, 2.0 + 1e-9]]);
-    assert!(setup.rule(ELASTIC).grain(grain).unwrap().start().is_err(), "a crawl");
+    let builder = World::builder(&mut memory).periodic([[0.0, 2.0 + 1e-9]]);
+    assert!(builder.rule(ELASTIC).grain(grain).unwrap().start().is_err(), "too short");
     let mut memory = Memory::<f64, 1, 2>::new();
-    let setup = World::builder(&mut memory).periodic([[0.0, 1e-3]]);
+    let builder = World::builder(&mut memory).periodic([[0.0, 1e-3]]);
     let tiny = Grain::with_mass(1e-5, 1.0);
-    assert!(setup.rule(ELASTIC).grain(tiny.at([1e308])).unwrap().start().is_err(), "too far");
+    assert!(builder.rule(ELASTIC).grain(tiny.at([1e308])).unwrap().start().is_err(), "too far");
 }
 
-/// Whatever number of a snapshot is broken, the answer is a fault, or a world that runs without panic.
+/// Whatever number of a snapshot is broken, the answer is an error, or a world that runs without panic.
 #[test]
-fn hostile_snapshots_are_refused() {
+fn tampered_snapshots_are_refused() {
     let rule = Soft::linear_dashpot(
         LinearDashpot { stiffness: 2.0e4, damping: 20.0 },
         Outside::HardSphere,
@@ -224,7 +224,7 @@ fn hostile_snapshots_are_refused() {
     }
 }
 
-/// Found by a property test: in such a box the next look around was after the last instant.
+/// Found by a property test: in such a box the next recheck was after the last instant.
 #[test]
 fn a_box_too_large_to_cross_is_never_crossed() {
     let mut memory = Memory::<f64, 2, 1>::new();

@@ -1,17 +1,16 @@
-//! What can be asked of any method? Reads a world of the core or a run of the reference; writes its state as the comparison wants it.
+//! What does every method have? Reads a world of the core or a run of the reference; writes its state as the comparison needs it.
 
 use crate::scenario::{MethodName, Placed, Side, Start};
 use anyhow::Result;
 use carom::World;
 use carom::law::Rule;
-use carom::world::EventOutcome;
-use carom::world::{Event, Observer, View};
+use carom::world::{Event, EventOutcome, Observer, View};
 use carom_reference::{Exact, Verlet};
 
-/// One way to find out what the grains do.
+/// One way to find out event_kind the grains do.
 ///
-/// All methods start from the same [`Start`] and can be asked the same things, so that a
-/// comparison needs to know nothing else of them.
+/// All methods start from the same [`Start`] and have the same interface, so that a comparison needs
+/// to know nothing else of them.
 pub trait Method {
     /// Which one it is.
     fn name(&self) -> MethodName;
@@ -22,7 +21,7 @@ pub trait Method {
     /// Goes on to an instant.
     ///
     /// # Errors
-    /// What the method itself says.
+    /// An error of the method.
     fn advance_to(&mut self, time: f64) -> Result<()>;
 
     /// All grains as they are now, inside the box where it is periodic.
@@ -38,7 +37,7 @@ pub trait Method {
     fn statistics(&self) -> Vec<(&'static str, u64)>;
 
     /// The events since the last call, if a log was asked for.
-    fn take_events(&mut self) -> Vec<Logged> {
+    fn take_events(&mut self) -> Vec<LoggedEvent> {
         Vec::new()
     }
 }
@@ -50,11 +49,11 @@ fn three(numbers: &[f64]) -> [f64; 3] {
 
 /// One line of an event log.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Logged {
+pub struct LoggedEvent {
     /// When (s).
     pub time: f64,
     /// What happened.
-    pub what: &'static str,
+    pub kind: &'static str,
     /// To which grain.
     pub grain: usize,
     /// With which grain.
@@ -67,13 +66,13 @@ pub struct Logged {
 pub struct EventDriven<'m, const D: usize, R> {
     world: World<'m, f64, D, R>,
     name: MethodName,
-    log: Option<Log>,
+    log: Option<EventLog>,
 }
 
 impl<'m, const D: usize, R: Rule<f64>> EventDriven<'m, D, R> {
     /// Wraps a world that has just started.
     pub fn new(world: World<'m, f64, D, R>, name: MethodName, log: bool) -> Self {
-        Self { world, name, log: log.then(Log::default) }
+        Self { world, name, log: log.then(EventLog::default) }
     }
 }
 
@@ -135,21 +134,22 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             ("reordered", c.reordered),
             ("stale", c.stale),
             ("cell_crossings", c.cell_crossings),
+            ("rechecks", c.rechecks),
         ]
     }
 
-    fn take_events(&mut self) -> Vec<Logged> {
+    fn take_events(&mut self) -> Vec<LoggedEvent> {
         self.log.as_mut().map(|log| std::mem::take(&mut log.0)).unwrap_or_default()
     }
 }
 
-/// Keeps what happened.
+/// Keeps the events that change a trajectory.
 #[derive(Default)]
-struct Log(Vec<Logged>);
+struct EventLog(Vec<LoggedEvent>);
 
-impl<const D: usize> Observer<f64, D> for Log {
+impl<const D: usize> Observer<f64, D> for EventLog {
     fn after(&mut self, event: &Event<f64>, _: View<'_, f64, D>) {
-        let what = match event.outcome {
+        let kind = match event.outcome {
             Some(EventOutcome::Collision { .. }) => "collision",
             Some(EventOutcome::ContactBegan(_)) => "contact",
             Some(EventOutcome::ContactEnded) => "release",
@@ -158,9 +158,9 @@ impl<const D: usize> Observer<f64, D> for Log {
             Some(EventOutcome::TookOff) => "take-off",
             _ => return,
         };
-        self.0.push(Logged {
+        self.0.push(LoggedEvent {
             time: event.at.as_f64(),
-            what,
+            kind,
             grain: event.grain,
             partner: event.partner.as_grain(),
             plane: event.partner.as_plane(),

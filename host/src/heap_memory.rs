@@ -1,23 +1,21 @@
-//! Where does a world of any size live on a workstation? Owns vectors; lends them to the engine.
+//! Where does a world of any size live on a workstation? Owns vectors on the heap; the engine borrows them.
 
-use carom::space::Link;
-use carom::space::MAX_PLANES;
-use carom::world::Buffers;
-use carom::world::ScheduledEvent;
+use carom::particle::Body;
+use carom::space::{Link, MAX_PLANES, Plane, Surface};
+use carom::world::{Buffers, ScheduledEvent};
 use carom::{Scalar, Storage};
-use carom::{
-    particle::Body,
-    space::{Plane, Surface},
-};
 
-/// Memory for a number of grains that is known at run time only. The engine is the same.
+/// A world's memory as vectors, for a number of grains that is known at run time only.
+///
+/// [`carom::Memory`] is the same with a capacity that is known at compile time; the engine is the same
+/// over both.
 ///
 /// ```
 /// use carom::{Grain, World, law::HardSphere};
-/// use carom_host::storage::HeapMemory;
-/// let mut storage = HeapMemory::<f64, 3>::new(1000);
+/// use carom_host::heap_memory::HeapMemory;
+/// let mut memory = HeapMemory::<f64, 3>::new(1000);
 /// let grains = (0..1000).map(|i| Grain::with_mass(0.1, 1.0).at([f64::from(i), 0.0, 0.0]));
-/// let world = World::builder(&mut storage)
+/// let world = World::builder(&mut memory)
 ///     .rule(HardSphere { restitution: 1.0 })
 ///     .grains(grains)?
 ///     .start()?;
@@ -35,7 +33,7 @@ pub struct HeapMemory<S: Scalar, const D: usize> {
 }
 
 impl<S: Scalar, const D: usize> HeapMemory<S, D> {
-    /// Buffers for this many grains.
+    /// Memory for this many grains.
     #[must_use]
     pub fn new(grains: usize) -> Self {
         Self {

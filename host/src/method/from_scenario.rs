@@ -1,11 +1,11 @@
-//! By which method and rule does a scenario run? Reads a scenario; writes nothing, lends one running method.
+//! By which method and rule does a scenario run? Reads a scenario; writes nothing, hands out one running method.
 
-use super::ask::{EventDriven, ForceBased, Method};
+use super::implementations::{EventDriven, ForceBased, Method};
+use crate::heap_memory::HeapMemory;
 use crate::integrated::Integrated;
 use crate::scenario::{
     LawSpec, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side, Start,
 };
-use crate::storage::HeapMemory;
 use crate::tables::embedded;
 use anyhow::{Context, Result, bail};
 use carom::law::{Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
@@ -15,10 +15,10 @@ use carom::{Grain, Release, World};
 use carom_reference::{Exact, Plate, Verlet, VerletOptions};
 use carom_tables::read::Law;
 
-/// Sets a method up and lends it to `work`.
+/// Sets a method up and hands it to `work`.
 ///
 /// # Errors
-/// What the set-up says, or `work`.
+/// An error of the set-up or of `work`.
 ///
 /// ```
 /// use carom_host::{method, scenario::{MethodName, Scenario, Start}};
@@ -79,15 +79,15 @@ fn with_world<const D: usize, T>(
 ) -> Result<T> {
     let rule = rule(name, scenario)?;
     let mut storage = HeapMemory::<f64, D>::new(start.grains.len());
-    let setup = World::builder(&mut storage).gravity(first(&start.gravity));
-    let setup =
-        enclose(setup.release(release(scenario)).tc(scenario.options.tc), start).rule(&*rule);
+    let builder = World::builder(&mut storage).gravity(first(&start.gravity));
+    let builder =
+        enclose(builder.release(release(scenario)).tc(scenario.options.tc), start).rule(&*rule);
     let grains = start.grains.iter().map(|grain| {
         Grain::with_mass(grain.radius, grain.mass)
             .at(first(&grain.position))
             .moving(first(&grain.velocity))
     });
-    let world = setup.grains(grains).and_then(WorldBuilder::start)?;
+    let world = builder.grains(grains).and_then(WorldBuilder::start)?;
     work(&mut EventDriven::new(world, name, scenario.options.events))
 }
 
@@ -99,18 +99,18 @@ fn release(scenario: &Scenario) -> Release {
 }
 
 fn enclose<'m, const D: usize, R>(
-    mut setup: WorldBuilder<'m, f64, D, R>,
+    mut builder: WorldBuilder<'m, f64, D, R>,
     start: &Start,
 ) -> WorldBuilder<'m, f64, D, R> {
     for (axis, side) in start.sides.iter().enumerate().take(D) {
         let (surface, [from, to]) = match *side {
             Side::Open => continue,
             Side::Plate(plate, restitution) => {
-                setup = setup.plane(plate_below(axis, &plate, restitution));
+                builder = builder.plane(plate_below(axis, &plate, restitution));
                 continue;
             }
             Side::Periodic(range) => {
-                setup = setup.periodic_axis(axis, range);
+                builder = builder.periodic_axis(axis, range);
                 continue;
             }
             Side::Soft(range) => (Surface::Rule, range),
@@ -119,10 +119,10 @@ fn enclose<'m, const D: usize, R>(
         for (at, facing) in [(from, 1.0), (to, -1.0)] {
             let mut normal = [0.0; D];
             normal[axis] = facing;
-            setup = setup.plane(Plane::new(normal, facing * at, surface));
+            builder = builder.plane(Plane::new(normal, facing * at, surface));
         }
     }
-    setup
+    builder
 }
 
 fn plate_below<const D: usize>(
@@ -182,20 +182,20 @@ pub fn rule(name: MethodName, scenario: &Scenario) -> Result<Box<dyn Rule<f64>>>
         LawSpec::Lsd { stiffness, damping } => {
             let law = LinearDashpot { stiffness, damping };
             Ok(match scenario.options.matrix {
-                MatrixSpec::Integrate => chosen(name, Integrated::new(law)),
+                MatrixSpec::Integrate => by_method(name, Integrated::new(law)),
                 MatrixSpec::Table => {
                     let table = embedded(scenario.options.table, Law::LinearDashpot);
-                    chosen(name, Soft::with_table(law, table, outside(scenario)))
+                    by_method(name, Soft::with_table(law, table, outside(scenario)))
                 }
             })
         }
         LawSpec::Viscoelastic { young, poisson, dissipation } => {
             let law = Viscoelastic { young, poisson, dissipation };
             Ok(match scenario.options.matrix {
-                MatrixSpec::Integrate => chosen(name, Integrated::new(law)),
+                MatrixSpec::Integrate => by_method(name, Integrated::new(law)),
                 MatrixSpec::Table => {
                     let table = embedded(scenario.options.table, Law::Viscoelastic);
-                    chosen(name, Soft::with_table(law, table, outside(scenario)))
+                    by_method(name, Soft::with_table(law, table, outside(scenario)))
                 }
             })
         }
@@ -203,7 +203,7 @@ pub fn rule(name: MethodName, scenario: &Scenario) -> Result<Box<dyn Rule<f64>>>
 }
 
 /// eMD takes only the central restitution of the rule, eMD* all of it.
-fn chosen(name: MethodName, rule: impl Rule<f64> + 'static) -> Box<dyn Rule<f64>> {
+fn by_method(name: MethodName, rule: impl Rule<f64> + 'static) -> Box<dyn Rule<f64>> {
     match name {
         MethodName::Emd => Box::new(Central(rule)),
         _ => Box::new(rule),

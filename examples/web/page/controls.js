@@ -1,31 +1,31 @@
-// What does the user want? Reads sliders, buttons and choices; writes their values as words beside them.
+// How is the page operated? Reads sliders, buttons and choices; writes their values as text beside them.
 
 /** @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
 export const find = (id) => /** @type {T} */ (document.getElementById(id));
 
 /** True where the user asked for little motion: nothing moves then until a button is pressed. */
-export const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+export const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /**
- * A slider whose position means `value(position)`, said as `say(value)`.
- * @param {string} id @param {(x: number) => number} value @param {(x: number) => string} say
+ * A slider whose position means `value(position)`, shown as `format(value)`.
+ * @param {string} id @param {(x: number) => number} value @param {(x: number) => string} format
  * @param {(x: number) => void} changed
  */
-export function slider(id, value, say, changed) {
+export function slider(id, value, format, changed) {
   const input = /** @type {HTMLInputElement} */ (find(id));
   const output = /** @type {HTMLOutputElement} */ (document.querySelector(`output[for="${id}"]`));
-  const tell = () => {
-    const text = say(value(input.valueAsNumber));
+  const update = () => {
+    const text = format(value(input.valueAsNumber));
     output.value = text;
     input.setAttribute("aria-valuetext", text);
     const share = (input.valueAsNumber - Number(input.min)) / (Number(input.max) - Number(input.min));
     input.style.setProperty("--filled", `${100 * share}%`);
   };
   input.addEventListener("input", () => {
-    tell();
+    update();
     changed(value(input.valueAsNumber));
   });
-  tell();
+  update();
   return {
     get value() {
       return value(input.valueAsNumber);
@@ -33,9 +33,9 @@ export function slider(id, value, say, changed) {
     /** Where the slider stands, not what it means. @param {number} position */
     set(position) {
       input.valueAsNumber = position;
-      tell();
+      update();
     },
-    tell,
+    update,
   };
 }
 
@@ -54,24 +54,24 @@ export function choice(name, changed) {
   };
 }
 
-/** @param {string} id @param {() => void} act */
-export function button(id, act) {
-  find(id).addEventListener("click", act);
+/** @param {string} id @param {() => void} action */
+export function button(id, action) {
+  find(id).addEventListener("click", action);
 }
 
 /** A button that plays and pauses. @param {string} id @param {(playing: boolean) => void} [changed] */
 export function player(id, changed) {
-  const state = { playing: !calm };
-  const tell = () => {
+  const state = { playing: !reducedMotion };
+  const update = () => {
     find(id).textContent = state.playing ? "Pause" : "Play";
     find(id).classList.toggle("playing", state.playing);
   };
   button(id, () => {
     state.playing = !state.playing;
-    tell();
+    update();
     changed?.(state.playing);
   });
-  tell();
+  update();
   return {
     get playing() {
       return state.playing;
@@ -79,24 +79,24 @@ export function player(id, changed) {
     /** @param {boolean} playing */
     set(playing) {
       state.playing = playing;
-      tell();
+      update();
     },
   };
 }
 
 /** Writes a number where it is shown, if it has changed. @param {string} id @param {string} text */
-export function show(id, text) {
+export function setText(id, text) {
   const element = find(id);
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** Says something to those who do not see the picture: no more often than every other second. */
-export function teller(/** @type {string} */ id) {
+/** Text for screen readers, renewed no more often than every other second. */
+export function announcer(/** @type {string} */ id) {
   let last = -Infinity;
   return (/** @type {() => string} */ text) => {
     const now = performance.now();
     if (now - last < 2000) return;
     last = now;
-    show(id, text());
+    setText(id, text());
   };
 }

@@ -1,4 +1,4 @@
-//! Does bad input get an error that names the field, and never a panic? Feeds everything; reads the faults.
+//! Does bad input get an error that names the field, and never a panic? Tries everything; reads the errors.
 
 use crate::gas::damped_spring;
 use carom::error::Subject;
@@ -12,8 +12,8 @@ const ELASTIC: HardSphere<f64> = HardSphere { restitution: 1.0 };
 fn field_of<T>(result: Result<T, Error>) -> (Subject, &'static str) {
     match result {
         Err(Error::Input { subject, field, .. }) => (subject, field),
-        Err(other) => panic!("another fault: {other}"),
-        Ok(_) => panic!("no fault"),
+        Err(other) => panic!("another error: {other}"),
+        Ok(_) => panic!("no error"),
     }
 }
 
@@ -29,14 +29,14 @@ fn a_bad_grain_is_named_with_its_field() {
     ];
     for (grain, field) in bad {
         let mut memory = Memory::<f64, 2, 4>::new();
-        let setup = World::builder(&mut memory).rule(ELASTIC).grain(ok.at([9.0, 9.0])).unwrap();
-        assert_eq!(field_of(setup.grain(grain)), (Subject::Grain(1), field));
+        let builder = World::builder(&mut memory).rule(ELASTIC).grain(ok.at([9.0, 9.0])).unwrap();
+        assert_eq!(field_of(builder.grain(grain)), (Subject::Grain(1), field));
     }
 }
 
-type Begun<'m> = carom::world::WorldBuilder<'m, f64, 1, carom::world::NoRule>;
+type TestBuilder<'m> = carom::world::WorldBuilder<'m, f64, 1, carom::world::NoRule>;
 
-fn start(f: impl FnOnce(Begun<'_>) -> Result<(), Error>) -> Result<(), Error> {
+fn start(f: impl FnOnce(TestBuilder<'_>) -> Result<(), Error>) -> Result<(), Error> {
     let mut memory = Memory::<f64, 1, 2>::new();
     f(World::builder(&mut memory))
 }
@@ -113,10 +113,10 @@ fn bad_boundaries_gravity_and_laws_are_named() {
 #[test]
 fn a_full_world_names_the_knob() {
     let mut memory = Memory::<f32, 2, 1>::new();
-    let setup = World::builder(&mut memory).grain(Grain::with_mass(1.0, 1.0)).unwrap();
-    let Err(fault) = setup.grain(Grain::with_mass(1.0, 1.0)) else { panic!() };
-    assert!(matches!(fault, Error::Full { capacity: 1, .. }));
-    assert!(fault.to_string().contains("N of Memory"), "{fault}");
+    let builder = World::builder(&mut memory).grain(Grain::with_mass(1.0, 1.0)).unwrap();
+    let Err(error) = builder.grain(Grain::with_mass(1.0, 1.0)) else { panic!() };
+    assert!(matches!(error, Error::Full { capacity: 1, .. }));
+    assert!(error.to_string().contains("N of Memory"), "{error}");
 }
 
 #[test]
@@ -124,9 +124,9 @@ fn overlapping_and_coincident_grains_are_refused() {
     for x in [0.0, 0.5] {
         let mut memory = Memory::<f64, 2, 2>::new();
         let grain = Grain::with_mass(0.5, 1.0);
-        let setup =
+        let builder =
             World::builder(&mut memory).rule(ELASTIC).grains([grain, grain.at([x, 0.0])]).unwrap();
-        let Err(Error::Overlap { grain: 1, gap, .. }) = setup.start() else { panic!() };
+        let Err(Error::Overlap { grain: 1, gap, .. }) = builder.start() else { panic!() };
         assert_eq!(gap, x - 1.0);
     }
 }
@@ -164,7 +164,7 @@ fn any_number() -> impl Strategy<Value = f64> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
-    /// Whatever a user says, the answer is a world or a fault, and whatever a world does it does in
+    /// Whatever a user describes, the result is a world or an error, and whatever a world does it does in
     /// bounded time, forward, with finite numbers.
     #[test]
     fn nothing_panics_hangs_or_makes_a_nan(
@@ -177,21 +177,21 @@ proptest! {
         law in (any_number(), any_number()),
     ) {
         let mut memory = Memory::<f64, 2, 4>::new();
-        let setup = World::builder(&mut memory).gravity([gravity.0, gravity.1]);
+        let builder = World::builder(&mut memory).gravity([gravity.0, gravity.1]);
         let sides = [[-side, side]; 2];
-        let setup = if periodic { setup.periodic(sides) } else if hard { setup.hard_walls(sides, 0.9) } else { setup.walls(sides) };
+        let builder = if periodic { builder.periodic(sides) } else if hard { builder.hard_walls(sides, 0.9) } else { builder.walls(sides) };
         let law = LinearDashpot { stiffness: law.0.abs() * 1e4, damping: law.1 };
-        let setup = setup.rule(Soft::linear_dashpot(law, Outside::Clamp)).grains(
+        let builder = builder.rule(Soft::linear_dashpot(law, Outside::Clamp)).grains(
             grains.iter().map(|g| Grain::with_mass(g.0.abs() * 0.3, g.1).at([g.2, g.3]).moving([g.4, g.5])));
-        let Ok(setup) = setup else { return Ok(()) };
-        let Ok(mut world) = setup.start() else { return Ok(()) };
+        let Ok(builder) = builder else { return Ok(()) };
+        let Ok(mut world) = builder.start() else { return Ok(()) };
         let mut last = world.now();
         for n in 0..300 {
             if n == 150 { let _ = world.set_gravity([later.0, later.1]); }
             match world.step() {
                 Ok(Some(h)) => { prop_assert!(h.at >= last); last = h.at; }
                 Ok(None) => break,
-                Err(fault) => { prop_assert!(!fault.to_string().is_empty()); break; }
+                Err(error) => { prop_assert!(!error.to_string().is_empty()); break; }
             }
             for i in 0..grains.len() {
                 let g = world.grain(i).unwrap();

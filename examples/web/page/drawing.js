@@ -1,4 +1,4 @@
-// How does a picture get onto the screen? Reads the theme's colours and sizes; writes canvases and numbers as words.
+// How is something drawn? Reads the theme's colours and sizes; draws on canvases and formats numbers.
 
 /** A canvas that is as sharp as the screen: draws in CSS pixels. @param {HTMLCanvasElement} canvas */
 export function surface(canvas) {
@@ -64,7 +64,7 @@ export function arrow(pen, [ax, ay], [bx, by], head) {
 const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /** A number with so many digits, as one writes it. @param {number} x @param {number} [digits] */
-export function words(x, digits = 3) {
+export function formatNumber(x, digits = 3) {
   if (x === 0 || !Number.isFinite(x)) return String(x);
   const power = Math.floor(Math.log10(Math.abs(x)));
   if (power >= -3 && power < 5) return x.toLocaleString("en", { maximumSignificantDigits: digits });

@@ -3,10 +3,9 @@
 use crate::gas::{damped_spring, gas};
 use carom::law::{Outside, Soft};
 use carom::particle::Body;
-use carom::world::ScheduledEvent;
-use carom::world::Snapshot;
+use carom::world::{ScheduledEvent, Snapshot};
 use carom::{Memory, World};
-use carom_host::storage::HeapMemory;
+use carom_host::heap_memory::HeapMemory;
 
 #[test]
 fn a_snapshot_goes_on_with_the_same_bits() {
