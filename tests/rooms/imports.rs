@@ -64,14 +64,14 @@ struct Reader<'a> {
 impl Reader<'_> {
     /// Keeps the file of the longest module that a path names.
     fn keep(&mut self, path: &[String]) {
-        let Some(named) = self.from_root(path) else { return };
+        let Some(named) = self.absolute(path) else { return };
         let longest = (1..=named.len()).rev().find_map(|n| self.modules.get(&named[..n]));
         let root = || self.modules.get(&[][..]).filter(|_| path[0] == "crate");
         self.found.extend(longest.or_else(root).cloned());
     }
 
     /// A path from the crate's root; none for what another crate or the file itself names.
-    fn from_root(&self, path: &[String]) -> Option<Module> {
+    fn absolute(&self, path: &[String]) -> Option<Module> {
         let mut from = self.module.clone();
         let mut rest = path;
         match path.first()?.as_str() {
