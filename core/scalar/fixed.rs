@@ -112,7 +112,7 @@ macro_rules! scalar {
 
         impl Elementary for $t {
             fn sin_cos(self) -> (Self, Self) {
-                self.sine_cosine()
+                self.sin_cos()
             }
             fn floor(self) -> Self {
                 self.floor()

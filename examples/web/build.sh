@@ -25,7 +25,7 @@ wasm_opt=node_modules/.bin/wasm-opt
 [ -e $wasm_opt ] || ! command -v npm >/dev/null || npm ci --silent --no-audit --no-fund
 # The features that rustc uses for this target.
 features=(bulk-memory mutable-globals multivalue nontrapping-float-to-int reference-types sign-ext)
-smaller() { # from, to
+optimise() { # from, to
   if [ -e $wasm_opt ]; then
     $wasm_opt -Oz "${features[@]/#/--enable-}" "$1" -o "$2"
   else
@@ -43,7 +43,7 @@ for dimension in line plane space; do
     "${build[@]}" --release --locked --quiet --target $target --features $dimension \
       --config "profile.release.opt-level=\"$level\""
     module=dist/carom-$dimension.wasm
-    smaller "$out" $module
+    optimise "$out" $module
     if [ "$(stat -c %s $module)" -le $budget ]; then break; fi
   done
   printf 'carom-%s.wasm: %s bytes of at most %s (opt-level %s)\n' \

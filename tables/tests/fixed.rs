@@ -91,13 +91,13 @@ proptest! {
     #[test]
     fn sines_are_the_nearest(a in -(1_i64 << 52)..(1 << 52)) {
         let x = number(a);
-        let (sine, cosine) = x.sine_cosine();
+        let (sine, cosine) = x.sin_cos();
         let (s, c) = x.to_f64().sin_cos();
         // 1e-6 ulp is what f64 adds.
         prop_assert!((sine.to_f64() - s).abs() <= 0.500_001 * ULP, "{x}: {sine} for {s}");
         prop_assert!((cosine.to_f64() - c).abs() <= 0.500_001 * ULP, "{x}: {cosine} for {c}");
         let narrow = I16F16::from_bits(a as i32 | 1);
-        let (sine, cosine) = narrow.sine_cosine();
+        let (sine, cosine) = narrow.sin_cos();
         let (s, c) = narrow.to_f64().sin_cos();
         prop_assert!((sine.to_f64() - s).abs() <= 0.500_001 * ULP16);
         prop_assert!((cosine.to_f64() - c).abs() <= 0.500_001 * ULP16);
@@ -232,10 +232,10 @@ fn quantised_certificates_hold_at_fresh_points() {
 
 #[test]
 fn a_wide_table_cannot_be_quantised() {
-    let fault = Recipe::wide(Law::LinearDashpot)
+    let error = Recipe::wide(Law::LinearDashpot)
         .number_type(NumberType::I32F32)
         .emit("WIDE")
         .map(|_| ())
         .unwrap_err();
-    assert!(fault.to_string().contains("number_type is I32F32"), "{fault}");
+    assert!(error.to_string().contains("number_type is I32F32"), "{error}");
 }

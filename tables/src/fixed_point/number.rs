@@ -81,7 +81,7 @@ macro_rules! fixed {
 
             /// Sine and cosine of an angle in radians: the nearest values but for ties within 2⁻⁵⁶.
             #[must_use]
-            pub fn sine_cosine(self) -> (Self, Self) {
+            pub fn sin_cos(self) -> (Self, Self) {
                 if !self.is_number() {
                     return (Self::NAN, Self::NAN);
                 }
