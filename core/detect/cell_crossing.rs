@@ -1,8 +1,8 @@
 //! When does a grain get out of reach of the neighbours that were looked at? Reads body and cells; writes nothing.
 
-use super::bracket::{Found, Search};
+use super::bracketed_root::{Found, Search};
 use super::scheduled_event::{EventKind, ScheduledEvent};
-use super::{number_range, root, shaking};
+use super::{number_range, plate_acceleration, root};
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, component};
 use crate::space::{Boundary, CellFace, Domain, Grid, Particles, flight};
@@ -87,7 +87,7 @@ fn supported_crossing<S: Scalar, const D: usize>(
     let motion = me.position.iter().zip(me.velocity.iter()).zip(acceleration.iter());
     for (axis, ((&x, &v), &a)) in motion.enumerate() {
         let [low, high] = grid.faces(&at, axis, x);
-        let shaken = shaking::is_shaken(domain, me, axis);
+        let shaken = plate_acceleration::is_shaken(domain, me, axis);
         for (gap, up) in [(low, false), (high, true)] {
             let Some(gap) = gap else { continue };
             let (v, a) = if up { (-v, -a) } else { (v, a) };
@@ -121,7 +121,7 @@ fn shaken_crossing<S: Scalar, const D: usize>(
         if up { -x } else { x }
     };
     let (start, a) = (along(&me.position), along(&flight::acceleration(me, domain)).abs());
-    let bound = a + shaking::peak_acceleration(domain, me);
+    let bound = a + plate_acceleration::peak_acceleration(domain, me);
     let bound = bound.max(S::negligible_acceleration(me.radius, S::one()));
     Search::new(bound, me.radius, S::NEVER).first(|t| {
         let there = flight::at(me, domain, now + t);

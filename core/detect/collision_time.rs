@@ -1,8 +1,8 @@
 //! When do two bodies, or a body and a plane, touch? Reads both; writes nothing, picks closed form or bracket.
 
-use super::bracket::{Found, Search};
+use super::bracketed_root::{Found, Search};
+use super::plate_acceleration::{peak_acceleration, peak_acceleration_along};
 use super::root;
-use super::shaking::{peak_acceleration, peak_acceleration_along};
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
 use crate::space::{Domain, Plane, flight};

@@ -1,15 +1,15 @@
 //! When does something happen next? Reads bodies, boundaries and cells; writes nothing, returns predictions.
 
 mod approach;
-pub mod bracket;
+pub mod bracketed_root;
 mod cell_crossing;
 mod collision_time;
 mod number_range;
+mod plate_acceleration;
 mod predictor;
 mod prefilter;
 pub mod root;
 mod scheduled_event;
-mod shaking;
 mod take_off;
 
 pub(crate) use approach::closing_speed;

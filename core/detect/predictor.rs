@@ -1,7 +1,7 @@
 //! When is a grain's next event? Reads bodies, cells and boundaries; writes nothing, returns the earliest event.
 
 use super::approach::closing_speed;
-use super::bracket::Found;
+use super::bracketed_root::Found;
 use super::prefilter::Prefilter;
 use super::scheduled_event::{EventKind, ScheduledEvent};
 use super::{cell_crossing, collision_time, root, take_off};

@@ -1,6 +1,6 @@
 //! When does a plate fall away from under the grain it carries? Reads bodies and plates; writes nothing.
 
-use super::bracket::{Found, Search};
+use super::bracketed_root::{Found, Search};
 use crate::particle::Body;
 use crate::scalar::{Scalar, dot};
 use crate::space::{Domain, Plane, flight};
