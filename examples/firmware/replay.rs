@@ -12,22 +12,22 @@ use semihosting::println;
 /// How many events are replayed.
 const LAST: u32 = 10_000;
 
-/// Replays what the command line asks for; returns the exit code.
+/// Replays what the command line selects; returns the exit code.
 #[must_use]
 pub fn main() -> i32 {
-    let Some((scene, scalar, selection)) = asked() else {
+    let Some((scene, scalar, selection)) = arguments() else {
         let all = |scene| {
             let selection = Selection::every_thousandth(LAST);
-            one::<f32>(scene, selection)
-                && one::<f64>(scene, selection)
-                && one::<I32F32>(scene, selection)
+            replay_one::<f32>(scene, selection)
+                && replay_one::<f64>(scene, selection)
+                && replay_one::<I32F32>(scene, selection)
         };
         return i32::from(!Scene::ALL.into_iter().all(all));
     };
     i32::from(!match scalar {
-        Scalar::F32 => one::<f32>(scene, selection),
-        Scalar::F64 => one::<f64>(scene, selection),
-        Scalar::Fixed => one::<I32F32>(scene, selection),
+        Scalar::F32 => replay_one::<f32>(scene, selection),
+        Scalar::F64 => replay_one::<f64>(scene, selection),
+        Scalar::Fixed => replay_one::<I32F32>(scene, selection),
     })
 }
 
@@ -38,7 +38,7 @@ enum Scalar {
 }
 
 /// Replays one scene in one number type; whether it came to its end.
-fn one<S: Number>(scene: Scene, selection: Selection) -> bool {
+fn replay_one<S: Number>(scene: Scene, selection: Selection) -> bool {
     let (name, scalar) = (scene.name(), S::NAME);
     let mut report = |EventDigest { event, digest }: EventDigest| {
         println!("{name} {scalar} {event} {digest:016x}")
@@ -50,8 +50,8 @@ fn one<S: Number>(scene: Scene, selection: Selection) -> bool {
     run.is_ok()
 }
 
-/// What the command line asks for.
-fn asked() -> Option<(Scene, Scalar, Selection)> {
+/// Scene, number type and events from the command line.
+fn arguments() -> Option<(Scene, Scalar, Selection)> {
     let words = env::args::<128>().ok()?;
     let mut words = (&words).into_iter().filter_map(Result::ok).skip(1);
     let (name, scalar) = (words.next()?, words.next()?);

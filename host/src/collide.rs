@@ -1,4 +1,4 @@
-//! What does each listed collision lead to? Reads CSV rows and a table or the contact equation; writes answers as CSV.
+//! What does each listed collision lead to? Reads CSV rows and a table or the contact equation; writes results as CSV.
 
 use crate::scale::{Contact, Impact, Pair};
 use anyhow::{Context, Result, anyhow, bail};
@@ -35,7 +35,7 @@ impl Restitution for Integrated {
 
 /// What a case led to; the numbers are those of MP13's matrix of restitution, Eqs. (16) to (21).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Answer {
+pub struct Coefficients {
     /// Duration of the contact τ (s).
     pub tau: f64,
     /// ε_t, the duration in units of T.
@@ -48,32 +48,35 @@ pub struct Answer {
     pub eps_phi: f64,
 }
 
-/// One case's result: the answer (if there is one) and whether the case was inside.
+/// One case's result: the coefficients (if there are any) and whether the case was inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
     /// The coefficients; nothing when outside and not clamped.
-    pub answer: Option<Answer>,
+    pub coefficients: Option<Coefficients>,
     /// Whether the case lies in the range of validity.
     pub inside: bool,
 }
 
-/// Looks one case up; outside the range, takes the nearest groups inside if `clamp` says so.
+/// Looks one case up; outside the range, takes the nearest groups inside if `clamp` is set.
 pub fn solve(source: &dyn Restitution, case: &Case, end: End, clamp: bool) -> Outcome {
     let law = case.contact.law();
     let groups = &case.impact.groups;
     if let Some(scaled) = source.restitution(law, groups) {
-        return Outcome { answer: Some(answer(&case.impact, &scaled, end)), inside: true };
+        return Outcome {
+            coefficients: Some(coefficients(&case.impact, &scaled, end)),
+            inside: true,
+        };
     }
     let nearest = || {
         let impact = Impact { groups: source.clamp(law, groups), ..case.impact };
         let scaled = source.restitution(law, &impact.groups)?;
-        Some(answer(&impact, &scaled, end))
+        Some(coefficients(&impact, &scaled, end))
     };
-    Outcome { answer: if clamp { nearest() } else { None }, inside: false }
+    Outcome { coefficients: if clamp { nearest() } else { None }, inside: false }
 }
 
-fn answer(impact: &Impact, scaled: &ScaledRestitution<f64>, end: End) -> Answer {
-    Answer {
+fn coefficients(impact: &Impact, scaled: &ScaledRestitution<f64>, end: End) -> Coefficients {
+    Coefficients {
         tau: scaled.tau * impact.time,
         eps_t: scaled.tau,
         one_minus_eps_r: impact.shortfall(scaled, end),
@@ -82,7 +85,7 @@ fn answer(impact: &Impact, scaled: &ScaledRestitution<f64>, end: End) -> Answer 
     }
 }
 
-/// Writes the answers as CSV, each number with as many digits as a double needs.
+/// Writes the results as CSV, each number with as many digits as a double needs.
 ///
 /// # Errors
 /// An error of `sink`.
@@ -99,7 +102,7 @@ pub fn write(sink: &mut dyn Write, cases: &[Case], outcomes: &[Outcome]) -> Resu
     ])?;
     for (case, outcome) in cases.iter().zip(outcomes) {
         let status = if outcome.inside { "ok" } else { "outside" };
-        let numbers = outcome.answer.map_or_else(
+        let numbers = outcome.coefficients.map_or_else(
             || std::array::from_fn(|_| String::new()),
             |a| {
                 [a.tau, a.eps_t, a.one_minus_eps_r, a.eps_rdot, a.eps_phi].map(|x| format!("{x:?}"))
@@ -121,7 +124,7 @@ pub const COLUMNS: [&str; 13] =
 /// One isolated collision of two spheres.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// The row's own name, given back in the answer.
+    /// The row's own name, given back in the coefficients.
     pub id: String,
     /// Physical parameters in scaled form.
     pub impact: Impact,

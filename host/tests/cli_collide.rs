@@ -38,7 +38,7 @@ fn both(arguments: &[&str]) -> (Vec<Row>, Vec<Row>) {
 const ABSOLUTE: [&str; 3] = ["one_minus_eps_r", "eps_rdot", "eps_phi"];
 
 #[test]
-fn integrated_answers_are_within_1e_9_of_the_reference() {
+fn integrated_results_are_within_1e_9_of_the_reference() {
     let (got, expected) = both(&["--with", "integrate"]);
     for (got, expected) in got.iter().zip(&expected) {
         let id = &expected["id"];
@@ -58,7 +58,7 @@ fn integrated_answers_are_within_1e_9_of_the_reference() {
 /// Every answer inside a table's domain keeps the table's certificate, which `carom table --json`
 /// prints; every law has such rows.
 #[test]
-fn table_answers_are_within_their_certificates() {
+fn table_results_are_within_their_certificates() {
     let output = carom(&["table", "--json"]);
     let tables: Vec<serde_json::Value> = serde_json::from_slice(&output.stdout).expect("JSON");
     assert_eq!(tables.len(), 6);

@@ -39,7 +39,7 @@ fn shipped_scenarios_start_without_overlap() {
 }
 
 #[test]
-fn the_gas_has_the_packing_fraction_and_temperature_it_says() {
+fn the_gas_has_the_packing_fraction_and_temperature_of_its_file() {
     let start = started(GAS);
     let Side::Periodic([from, to]) = start.sides[0] else { panic!("not periodic") };
     let filled: f64 = start.grains.iter().map(|g| 4.0 / 3.0 * PI * g.radius.powi(3)).sum();

@@ -51,7 +51,7 @@ fn carom() -> Command {
     Command::new(env!("CARGO_BIN_EXE_carom"))
 }
 
-fn said(command: &mut Command) -> (bool, String) {
+fn output_of(command: &mut Command) -> (bool, String) {
     let output = command.output().unwrap();
     let text = [output.stdout, output.stderr].concat();
     (output.status.success(), String::from_utf8(text).unwrap())
@@ -84,7 +84,7 @@ fn every_combination_is_one_row_in_order() {
 
 /// The row holds what `carom run` prints for the same scenario.
 #[test]
-fn a_row_is_what_carom_run_says() {
+fn a_row_equals_the_output_of_carom_run() {
     let (folder, file) = folder(SCENARIO, SWEEP);
     let plan = Plan::read(&file).unwrap();
     let out = file.with_extension("parquet");
@@ -95,9 +95,9 @@ fn a_row_is_what_carom_run_says() {
     fs::write(&scenario, text).unwrap();
     let mut run = carom();
     run.args(["run", "--json", "--method", "emd*", "--out"]).arg(folder.path().join("run"));
-    let (fine, said) = said(run.arg(&scenario));
-    assert!(fine, "{said}");
-    let summary: serde_json::Value = serde_json::from_str(&said).unwrap();
+    let (success, output) = output_of(run.arg(&scenario));
+    assert!(success, "{output}");
+    let summary: serde_json::Value = serde_json::from_str(&output).unwrap();
     let run = &summary["runs"][0];
     // Packing 0.2 is the second of the grid, seed 3 the third of five, eMD* the second of two methods.
     let row = 10 + 2 * 2 + 1;
@@ -222,8 +222,8 @@ fn a_run_that_fails_is_a_row_that_says_why() {
     let scenario = SCENARIO.replace("[law]", "[options]\noutside = \"reject\"\n[law]");
     let sweep_text = SWEEP.replace("[grid]", "[grid]\nlaw.young = [1.0e3, 1.0e9]");
     let (_folder, file) = folder(&scenario, &sweep_text);
-    let (fine, said) = said(carom().arg("sweep").arg(&file));
-    assert!(fine && said.contains("of them failed: column error says why"), "{said}");
+    let (success, output) = output_of(carom().arg("sweep").arg(&file));
+    assert!(success && output.contains("of them failed: column error says why"), "{output}");
     let rows = Rows::read(&file.with_extension("parquet")).unwrap();
     assert_eq!(rows.rows.len(), 40);
     assert!(rows.failed() > 0 && rows.failed() < 40);
@@ -261,9 +261,9 @@ fn bad_sweeps_are_refused_in_one_line() {
         let text = SWEEP.replace(old, new);
         assert_ne!(text, SWEEP, "{old}");
         let (_folder, file) = folder(SCENARIO, &text);
-        let (fine, said) = said(carom().arg("sweep").arg(&file));
-        assert!(!fine && said.contains(wanted), "{new}: {said}");
-        assert_eq!(said.lines().count(), 1, "{said}");
+        let (success, output) = output_of(carom().arg("sweep").arg(&file));
+        assert!(!success && output.contains(wanted), "{new}: {output}");
+        assert_eq!(output.lines().count(), 1, "{output}");
         assert!(!file.with_extension("parquet").exists());
     }
 }

@@ -205,7 +205,7 @@ fn tampered_snapshots_are_refused() {
         ("\"Hard\":0.9", "\"Hard\":-7.0"),
         ("\"normal\":[1.0,0.0]", "\"normal\":[7.0,0.0]"),
         ("\"collisions\":1", "\"collisions\":18446744073709551615"),
-        ("\"kind\":\"Release\"", "\"kind\":\"Nothing\""),
+        ("\"kind\":\"ContactEnd\"", "\"kind\":\"Nothing\""),
         (
             "\"partner\":4294967295,\"partner_event_count\":0,\"kind\"",
             "\"partner\":0,\"partner_event_count\":0,\"kind\"",

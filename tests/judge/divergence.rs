@@ -15,7 +15,7 @@ fn check(seeds: std::ops::Range<u64>) {
     let all = study(seeds, 10).unwrap();
     let [integrated, table, hard] = &all[..] else { panic!() };
     assert_eq!(
-        (integrated.way, table.way, hard.way),
+        (integrated.variant, table.variant, hard.variant),
         (Variant::Integrated, Variant::Table, Variant::HardSphere)
     );
     for k in 0..10 {

@@ -1,7 +1,7 @@
 //! How high does a shaken column stand (L94 Fig. 7)? MD and ED against each other, Eq. (10), and an event loop of a page written for this.
 
 use carom_host::figure::fit;
-use carom_host::figure::l94::shaken::{self, BEADS, GRAVITY, MANY, STRONG, Shaken, risen};
+use carom_host::figure::l94::shaken::{self, BEADS, GRAVITY, MANY, STRONG, Shaken, mean_rise};
 use std::f64::consts::TAU;
 
 /// Points on a line above a plate: what hard rods are once their lengths are taken away. Shares
@@ -127,7 +127,7 @@ fn the_engine_shakes_a_column_as_a_simple_event_loop_does() {
 #[test]
 fn a_shaken_column_stands_as_high_as_points_do() {
     let (agitation, periods) = (20.0, 6_000);
-    let ed = risen("ED", BEADS, agitation, periods).unwrap();
+    let ed = mean_rise("ED", BEADS, agitation, periods).unwrap();
     let usual = shaken::column(agitation, BEADS);
     let of_one = |k: usize| {
         let column = Shaken { gap: (1.05 + 0.1 * k as f64) * usual.gap, ..usual };
@@ -158,7 +158,7 @@ fn a_strongly_shaken_column() {
         let ratio = |method: &str, beads: usize| {
             let share = if method == "MD" { 2 } else { 1 };
             let periods = share * shaken::periods(method, beads, agitation, true);
-            risen(method, beads, agitation, periods).unwrap().map(|h| h / theory)
+            mean_rise(method, beads, agitation, periods).unwrap().map(|h| h / theory)
         };
         let (md, ed, many) = (ratio("MD", BEADS), ratio("ED", BEADS), ratio("ED", MANY));
         println!("α = {agitation}, in units of Eq. (10): MD {md:?}, ED {ed:?}, N = 40 {many:?}");

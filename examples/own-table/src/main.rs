@@ -1,4 +1,4 @@
-//! What does the table of this package's build.rs say? Reads the table; prints its certificate and one collision.
+//! What is in the table of this package's build.rs? Reads the table; prints its certificate and one collision.
 
 use carom::law::embedded::read::Groups;
 
@@ -6,7 +6,7 @@ include!(concat!(env!("OUT_DIR"), "/rubber.rs"));
 
 fn main() {
     let c = &RUBBER.certificate;
-    println!("{} bytes, at most {} terms a reading", c.bytes, c.terms);
+    println!("{} bytes, at most {} terms a lookup", c.bytes, c.terms);
     println!("eta/cos(alpha) <= {}, c_dis <= {}", c.domain.softness_max, c.domain.c_dis_max);
     println!(
         "largest error: tau {:.1e} (relative), speed {:.1e}, angle {:.1e} rad, separation {:.1e}",

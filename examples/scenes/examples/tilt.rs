@@ -16,7 +16,7 @@ struct Terminal {
 impl Board for Terminal {
     fn write(&mut self, text: &[u8]) {
         if self.shown {
-            // There is nobody to tell if the terminal is gone.
+            // Nothing can be done if the terminal is gone.
             let _ = std::io::stdout().write_all(text);
         }
     }
@@ -26,7 +26,7 @@ impl Board for Terminal {
     }
 }
 
-fn played<S: Number>(table: &'static Table<S::Stored>, shown: bool) -> Result<(), Error> {
+fn run<S: Number>(table: &'static Table<S::Stored>, shown: bool) -> Result<(), Error> {
     let mut memory = tilt::memory::<S>();
     let mut world = tilt::tilt_box(&mut memory, table)?;
     tilt::run_script(&mut world, &mut Terminal { shown })?;
@@ -35,9 +35,9 @@ fn played<S: Number>(table: &'static Table<S::Stored>, shown: bool) -> Result<()
 }
 
 fn main() -> Result<(), Error> {
-    played::<f32>(f32::viscoelastic(), true)?;
-    played::<f32>(f32::compact(), false)?;
-    played::<f64>(f64::viscoelastic(), false)?;
-    played::<I32F32>(I32F32::viscoelastic(), false)?;
-    played::<I32F32>(I32F32::compact(), false)
+    run::<f32>(f32::viscoelastic(), true)?;
+    run::<f32>(f32::compact(), false)?;
+    run::<f64>(f64::viscoelastic(), false)?;
+    run::<I32F32>(I32F32::viscoelastic(), false)?;
+    run::<I32F32>(I32F32::compact(), false)
 }

@@ -7,7 +7,7 @@ use carom::law::Rule;
 use carom::world::{Event, EventOutcome, Observer, View};
 use carom_reference::{Exact, Verlet};
 
-/// One way to find out event_kind the grains do.
+/// One way to find out what the grains do.
 ///
 /// All methods start from the same [`Start`] and have the same interface, so that a comparison needs
 /// to know nothing else of them.

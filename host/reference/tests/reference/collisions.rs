@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use carom_reference::{Boundary, Collision, End, Exact, ForceLaw, Grain, System, collide};
 
-use super::{apart, data, table};
+use super::{data, max_difference, table};
 
 struct Row(HashMap<String, String>);
 
@@ -105,7 +105,7 @@ fn collisions_in_flight() {
             row.0["id"]
         );
         for (i, after) in whole.after.iter().enumerate() {
-            let wrong = apart(run.velocity(i), after.velocity) / row.number("v");
+            let wrong = max_difference(run.velocity(i), after.velocity) / row.number("v");
             assert!(wrong < 1e-11, "{}: {wrong:e}", row.0["id"]);
         }
     }
@@ -133,7 +133,7 @@ fn path_of_figure_6() {
     let hit = collide(grains, law, End::Force, &times).expect("integrates");
     assert!((hit.duration / tau - 1.0).abs() < 1e-13);
     for (k, at) in hit.path.iter().enumerate() {
-        let wrong = apart(at[0], one[k]).max(apart(at[1], two[k]));
+        let wrong = max_difference(at[0], one[k]).max(max_difference(at[1], two[k]));
         assert!(wrong < 1e-13, "t / tau = {}: {wrong:e}", times[k] / tau);
     }
 }

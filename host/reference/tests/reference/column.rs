@@ -37,10 +37,10 @@ fn column(beads: usize, eps: f64, sigma: f64) -> Outcome {
     let n = beads as f64;
     let energy = v.iter().map(|v| v * v).sum::<f64>();
     let centre = v.iter().sum::<f64>() / n;
-    let apart = v.iter().map(|v| (v - centre).powi(2)).sum::<f64>();
+    let relative = v.iter().map(|v| (v - centre).powi(2)).sum::<f64>();
     Outcome {
         eps_eff: (energy / n).sqrt() / SPEED,
-        relative: apart / energy,
+        relative: relative / energy,
         centre: centre / SPEED,
     }
 }

@@ -65,7 +65,7 @@ fn a_dense_elastic_gas_keeps_energy_and_momentum() {
     let drift = energy(&after, &law) / energy(&system, &law) - 1.0;
     assert!(drift.abs() < 1e-12, "{drift:e}");
     let scale = system.grains()[0].mass * 2.0;
-    assert!(super::apart(after.momentum(), system.momentum()) < 1e-13 * scale * 27.0);
+    assert!(super::max_difference(after.momentum(), system.momentum()) < 1e-13 * scale * 27.0);
 }
 
 /// Each contact has one end, and none begins before the one before it.
@@ -82,7 +82,7 @@ fn records_are_in_order() {
 
 /// Looking at the run more often changes nothing, to the last bit.
 #[test]
-fn looking_does_not_disturb() {
+fn sampling_does_not_disturb() {
     let make = || Exact::new(periodic(3, 0.1, 3), spheres(1e-4), End::Force).expect("valid");
     let (mut once, mut often) = (make(), make());
     once.advance_to(0.3).expect("integrates");

@@ -23,6 +23,6 @@ fn table(name: &str) -> Vec<std::collections::HashMap<String, String>> {
 }
 
 /// The largest of |a − b|, component by component.
-fn apart<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
+fn max_difference<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

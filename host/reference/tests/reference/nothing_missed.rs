@@ -125,7 +125,7 @@ proptest! {
 
 #[test]
 #[ignore = "many batches: run with --release"]
-fn in_many_crowds() {
+fn in_many_dense_boxes() {
     for seed in 0..50 {
         for kind in 0..6 {
             let axes = (seed % 3) as usize;

@@ -4,8 +4,8 @@ use carom_reference::{
     Boundary, End, Exact, ForceLaw, Grain, System, Verlet, VerletOptions, collide,
 };
 
-use super::apart;
 use super::gas::Random;
+use super::max_difference;
 
 fn fine(steps_per_contact: f64) -> VerletOptions {
     VerletOptions { steps_per_contact, skin: None }
@@ -20,7 +20,7 @@ fn pair_error(law: ForceLaw, steps_per_contact: f64) -> f64 {
     let mut run = Verlet::new(&system, law, End::Force, fine(steps_per_contact)).expect("valid");
     let hit = collide(grains, law, End::Force, &[]).expect("integrates");
     run.advance_to(1.5 * hit.duration).expect("goes on");
-    (0..2).map(|i| apart(run.velocity(i), hit.after[i].velocity)).fold(0.0, f64::max)
+    (0..2).map(|i| max_difference(run.velocity(i), hit.after[i].velocity)).fold(0.0, f64::max)
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn verlet_approaches_exact_in_a_heap() {
         let error = |n: f64| {
             let mut run = Verlet::new(&heap(), law, end, fine(n)).expect("valid");
             run.advance_to(until).expect("goes on");
-            (0..9).map(|i| apart(run.position(i), exact.position(i))).fold(0.0, f64::max)
+            (0..9).map(|i| max_difference(run.position(i), exact.position(i))).fold(0.0, f64::max)
         };
         let [coarse, fine] = [50.0, 2000.0].map(error);
         assert!(fine < coarse / 20.0 && fine < 1e-4, "{law:?} {end:?}: {coarse:e} {fine:e}");

@@ -24,7 +24,7 @@ pub fn t_final() -> f64 {
     (2.0 * (1.0 - SIGMA / 2.0) / -GRAVITY).sqrt() * (1.0 + RESTITUTION) / (1.0 - RESTITUTION)
 }
 
-/// How the overlap function is written: three ways that differ by rounding only.
+/// How the overlap function is written: three variants that differ by rounding only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// f = r − r_p − σ/2, as in Eq. (11).
@@ -35,7 +35,7 @@ pub enum Form {
     Lowest,
 }
 
-/// How the flight is written: two ways that differ by rounding only.
+/// How the flight is written: two variants that differ by rounding only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flight {
     /// r + Δt v + Δt²/2 g, as in Eq. (11).
@@ -129,20 +129,20 @@ pub struct End {
 }
 
 /// Drops the ball on a plate. It is at rest when it will not rise by as much as the last place of its position.
-pub fn drop_on(plate: f64, way: Variant) -> End {
+pub fn drop_on(plate: f64, variant: Variant) -> End {
     let (mut r, mut v, mut time) = (plate + 1.0, 0.0, 0.0);
     let mut rest = None;
     for impacts in 0..ENOUGH {
-        let Some(dt) = way.next(way.gap(r, plate), v) else {
+        let Some(dt) = variant.next(variant.gap(r, plate), v) else {
             return End { halted: true, time, impacts };
         };
-        r = way.fly(r, v, dt);
+        r = variant.fly(r, v, dt);
         v = -RESTITUTION * (v + dt * GRAVITY);
         time += dt;
         if rest.is_none() && r - v * v / (2.0 * GRAVITY) == r {
             rest = Some(End { halted: false, time, impacts: impacts + 1 });
         }
-        if rest.is_some() && way.stable {
+        if rest.is_some() && variant.stable {
             break;
         }
     }
@@ -227,16 +227,16 @@ fn plates(count: usize) -> Vec<f64> {
 /// Makes the figure: on how many plates a simulation ended after so many impacts.
 pub fn make(options: &Options) -> Result<Made> {
     let plates = plates(if options.full { 10_000_000 } else { 1_000_000 });
-    let ways = Variant::all();
-    let progress = Progress::new("bsfp14-7", 1 + ways.len() as u64);
+    let variants = Variant::all();
+    let progress = Progress::new("bsfp14-7", 1 + variants.len() as u64);
     let axes = ["impacts until the simulation ends", "share of plate positions"];
     let mut figure = Figure::new("bsfp14-7", axes);
     let mut notes = Vec::new();
-    for way in ways {
-        let sum = Sum::of(&plates, |plate| drop_on(plate, way));
-        let named = [way.method(), way.form(), way.flight()];
+    for variant in variants {
+        let sum = Sum::of(&plates, |plate| drop_on(plate, variant));
+        let named = [variant.method(), variant.form(), variant.flight()];
         // The picture shows the paper's flight; the notes show both.
-        if way.flight == Flight::InTurn {
+        if variant.flight == Flight::InTurn {
             figure = figure.with(series(named, &sum, plates.len()));
         }
         notes.push(note(named, &sum, plates.len()));
@@ -257,7 +257,7 @@ pub fn make(options: &Options) -> Result<Made> {
     Ok(Made { figure, picture, notes })
 }
 
-/// What is drawn: halts of a naive way, rests of the others.
+/// What is drawn: halts of a naive variant, rests of the others.
 fn series([method, form, flight]: [&str; 3], sum: &Sum, plates: usize) -> Series {
     let naive = method == "naive";
     let (shown, verb) = if naive { (&sum.halts, "halts") } else { (&sum.rests, "rests") };

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 pub const MAX_EXCESS: i32 = 200;
 
 /// What was seen at the impacts of one gas.
-pub struct Seen {
+pub struct ImpactStatistics {
     /// ε.
     pub restitution: f64,
     /// ρ.
@@ -31,7 +31,7 @@ pub struct Seen {
     squares: f64,
 }
 
-impl Seen {
+impl ImpactStatistics {
     fn new(fluid: &Fluid) -> Self {
         Self {
             restitution: fluid.restitution,
@@ -70,7 +70,7 @@ impl Seen {
     }
 }
 
-impl Observer<f64, 3> for Seen {
+impl Observer<f64, 3> for ImpactStatistics {
     fn before(&mut self, event: &Event<f64>, view: View<'_, f64, 3>) {
         self.overlaps.before(event, view);
         if let Some(impact) = self.overlaps.impact {
@@ -92,8 +92,8 @@ pub fn run(
     start: &[Grain<f64, 3>],
     collisions: u64,
     mut each: impl FnMut(u64),
-) -> Result<Seen> {
-    let mut seen = Seen::new(fluid);
+) -> Result<ImpactStatistics> {
+    let mut seen = ImpactStatistics::new(fluid);
     let mut shown = 0;
     Run::new(*fluid, start.to_vec()).run(collisions, &mut seen, |state| {
         each(state.collisions - shown);
@@ -110,7 +110,12 @@ pub const DENSITIES: [f64; 3] = [0.1, 0.5, 0.9];
 ///
 /// # Errors
 /// An error of the engine.
-pub fn all(id: &str, fluid: &Fluid, restitutions: &[f64], collisions: u64) -> Result<Vec<Seen>> {
+pub fn all(
+    id: &str,
+    fluid: &Fluid,
+    restitutions: &[f64],
+    collisions: u64,
+) -> Result<Vec<ImpactStatistics>> {
     let gases = (DENSITIES.len() * restitutions.len()) as u64;
     let progress = Progress::new(id, gases * collisions);
     let start = |density: &f64| {
@@ -154,8 +159,8 @@ pub fn make_impacts(options: &Options) -> Result<Made> {
     Ok(Made { figure, picture, notes })
 }
 
-fn impact_series(seen: &Seen) -> Series {
-    let Seen { restitution, density, overlaps, .. } = seen;
+fn impact_series(seen: &ImpactStatistics) -> Series {
+    let ImpactStatistics { restitution, density, overlaps, .. } = seen;
     let (mean, deviation) = seen.moments();
     let count = overlaps.impacts as f64;
     let mut impact_series = Series::new(seen.name())
@@ -172,7 +177,7 @@ fn impact_series(seen: &Seen) -> Series {
     impact_series
 }
 
-fn note_impacts(seen: &Seen) -> Note {
+fn note_impacts(seen: &ImpactStatistics) -> Note {
     let overlaps = &seen.overlaps;
     let (mean, deviation) = seen.moments();
     let share = 100.0 * overlaps.overlapping as f64 / overlaps.impacts as f64;
@@ -241,13 +246,13 @@ fn seen(figure: &Figure) -> Figure {
 }
 
 /// Frequency and its error, which is Poisson's, and that of one event where none was seen.
-fn frequency(seen: &Seen) -> [f64; 2] {
+fn frequency(seen: &ImpactStatistics) -> [f64; 2] {
     let (hits, count) = (seen.overlaps.three_body as f64, seen.overlaps.impacts as f64);
     [hits / count, hits.max(1.0).sqrt() / count]
 }
 
 /// The frequency as counted.
-fn counted(density: f64, positions: &str, gases: &[Seen]) -> Series {
+fn counted(density: f64, positions: &str, gases: &[ImpactStatistics]) -> Series {
     let mut series = Series::new(format!("ρ = {density}, {positions}"))
         .param("density", density)
         .param("positions", positions);
@@ -259,16 +264,16 @@ fn counted(density: f64, positions: &str, gases: &[Seen]) -> Series {
 }
 
 /// The frequency to be expected with fine positions: that with coarse ones, in proportion to the spread.
-fn expected(fine: &Seen, coarse: &Seen) -> [f64; 2] {
+fn expected(fine: &ImpactStatistics, coarse: &ImpactStatistics) -> [f64; 2] {
     let ratio = fine.moments().1 / coarse.moments().1;
     frequency(coarse).map(|share| share * ratio)
 }
 
-fn scaled(density: f64, fine: &[Seen], coarse: &[Seen]) -> Series {
+fn scaled(density: f64, fine: &[ImpactStatistics], coarse: &[ImpactStatistics]) -> Series {
     let mut series = Series::new(format!("ρ = {density}, scaled"))
         .param("density", density)
         .param("positions", "coarse, scaled to fine");
-    let here = |seen: &Seen| seen.density == density && seen.restitution >= NO_COLLAPSE;
+    let here = |seen: &ImpactStatistics| seen.density == density && seen.restitution >= NO_COLLAPSE;
     for (fine, coarse) in fine.iter().zip(coarse).filter(|(fine, _)| here(fine)) {
         let [share, error] = expected(fine, coarse);
         series.push_with_error(fine.restitution, share, error);
@@ -276,7 +281,7 @@ fn scaled(density: f64, fine: &[Seen], coarse: &[Seen]) -> Series {
     series
 }
 
-fn note_overlaps(fine: &Seen, coarse: &Seen) -> Note {
+fn note_overlaps(fine: &ImpactStatistics, coarse: &ImpactStatistics) -> Note {
     let paper = if fine.restitution == 1.0 { "≈ 1e-9 (dilute)" } else { "up to ≈ 1e-6" };
     let counted = format!(
         "{} of {} impacts; coarse positions {}",

@@ -12,12 +12,12 @@ use carom_reference::ForceLaw;
 use carom_tables::read::End;
 
 /// More events than a column on a plate should need, in all and for each sample.
-const MOST_EVENTS: [u64; 2] = [2_000_000, 2_000];
+const MAX_EVENTS: [u64; 2] = [2_000_000, 2_000];
 
 /// More events than any impact on a wall needs.
 const LONGEST: u64 = 20_000_000;
 /// The number of events is looked at so often, but no more than 64 times between two samples.
-const LOOKS: usize = 16_384;
+const CHECKS: usize = 16_384;
 
 /// How contacts are dealt with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,10 +53,10 @@ pub fn restitution(law: &LinearDashpot<f64>) -> [f64; 2] {
 ///
 /// # Errors
 /// An error of the engine, or a column that does not come apart.
-pub fn collide(column: &Column, law: &ForceLaw, way: Variant) -> Result<Outcome> {
+pub fn collide(column: &Column, law: &ForceLaw, variant: Variant) -> Result<Outcome> {
     let law = dashpot(law)?;
     let [pair, wall] = restitution(&law);
-    match way {
+    match variant {
         Variant::Instant => run(column, HardSphere { restitution: pair }, Surface::Hard(wall)),
         Variant::Lasting => {
             let rule = Integrated::new(law).ending(End::Overlap);
@@ -72,13 +72,13 @@ pub fn collide(column: &Column, law: &ForceLaw, way: Variant) -> Result<Outcome>
 pub fn heights(
     column: &Column,
     law: &ForceLaw,
-    way: Variant,
+    variant: Variant,
     times: &[f64],
 ) -> Result<Vec<Vec<f64>>> {
     let law = dashpot(law)?;
     let [pair, wall] = restitution(&law);
     let mut storage = HeapMemory::<f64, 1>::new(column.beads);
-    match way {
+    match variant {
         Variant::Instant => {
             let rule = HardSphere { restitution: pair };
             sampled(&mut start(column, &mut storage, rule, Surface::Hard(wall))?, times)
@@ -106,8 +106,8 @@ pub fn counted<R: Rule<f64>>(
 
 fn sampled<R: Rule<f64>>(world: &mut World<'_, f64, 1, R>, times: &[f64]) -> Result<Vec<Vec<f64>>> {
     let (mut rows, mut before) = (Vec::new(), 0.0);
-    let slices = (LOOKS / times.len().max(1)).clamp(1, 64);
-    let most = MOST_EVENTS[0].max(MOST_EVENTS[1] * times.len() as u64);
+    let slices = (CHECKS / times.len().max(1)).clamp(1, 64);
+    let most = MAX_EVENTS[0].max(MAX_EVENTS[1] * times.len() as u64);
     for t in times {
         for slice in 1..=slices {
             let part = slice as f64 / slices as f64;

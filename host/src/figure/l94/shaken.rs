@@ -201,7 +201,7 @@ pub fn periods(method: &str, beads: usize, agitation: f64, full: bool) -> usize 
 ///
 /// # Errors
 /// An error of the method.
-pub fn risen(method: &str, beads: usize, agitation: f64, periods: usize) -> Result<[f64; 2]> {
+pub fn mean_rise(method: &str, beads: usize, agitation: f64, periods: usize) -> Result<[f64; 2]> {
     let one = |k: usize| of_one(method, beads, agitation, (periods.div_ceil(COLUMNS), k));
     let means: Vec<f64> = (0..COLUMNS).into_par_iter().map(one).collect::<Result<_>>()?;
     Ok(fit::mean(&means))
@@ -243,7 +243,7 @@ pub fn make(options: &Options) -> Result<Made> {
     for (method, beads) in curves {
         let one = |&agitation: &f64| {
             let periods = periods(method, beads, agitation, options.full);
-            let found = risen(method, beads, agitation, periods);
+            let found = mean_rise(method, beads, agitation, periods);
             progress.add(1);
             found
         };

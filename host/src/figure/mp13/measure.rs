@@ -122,9 +122,9 @@ impl Clock {
 ///
 /// # Errors
 /// An error of the engine or the reference.
-pub fn measure(gas: &SoftGas, way: Variant, effort: Effort) -> Result<Measured> {
+pub fn measure(gas: &SoftGas, variant: Variant, effort: Effort) -> Result<Measured> {
     let gas = SoftGas { dissipation: 0.0, ..*gas };
-    match way {
+    match variant {
         Variant::Emd => by_events(&gas, Central(gas.rule()), effort),
         Variant::EmdStar => by_events(&gas, gas.rule(), effort),
         Variant::Md => by_force(&gas, effort),

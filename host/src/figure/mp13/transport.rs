@@ -28,7 +28,7 @@ type Job = (SoftGas, Variant);
 struct Point {
     packing: f64,
     young: f64,
-    way: Variant,
+    variant: Variant,
     found: [[f64; 2]; 2],
     exceptions: f64,
 }
@@ -45,8 +45,8 @@ pub fn make(options: &Options) -> Result<Made> {
     let mut figure = Figure::new("mp13-7-transport", axes);
     for (k, quantity) in QUANTITIES.into_iter().enumerate() {
         for young in MODULI {
-            for way in Variant::ALL {
-                figure = figure.with(series((k, quantity), young, way, &points));
+            for variant in Variant::ALL {
+                figure = figure.with(series((k, quantity), young, variant, &points));
             }
         }
     }
@@ -57,17 +57,18 @@ pub fn make(options: &Options) -> Result<Made> {
 
 fn points(seeds: u64, effort: Effort) -> Result<Vec<Point>> {
     let gases = MODULI.iter().flat_map(|young| PACKINGS.map(|packing| (*young, packing)));
-    let kinds: Vec<(f64, f64, Variant)> =
-        gases.flat_map(|(young, packing)| Variant::ALL.map(|way| (young, packing, way))).collect();
-    let job = |(young, packing, way): &(f64, f64, Variant), seed| {
+    let kinds: Vec<(f64, f64, Variant)> = gases
+        .flat_map(|(young, packing)| Variant::ALL.map(|variant| (young, packing, variant)))
+        .collect();
+    let job = |(young, packing, variant): &(f64, f64, Variant), seed| {
         let (young, packing) = (*young, *packing);
-        (SoftGas { grains: GRAINS, packing, young, dissipation: 0.0, seed }, *way)
+        (SoftGas { grains: GRAINS, packing, young, dissipation: 0.0, seed }, *variant)
     };
     let jobs: Vec<Job> =
         kinds.iter().flat_map(|kind| (1..=seeds).map(move |seed| job(kind, seed))).collect();
     let progress = Progress::new("mp13-7-transport", jobs.len() as u64);
-    let one = |(gas, way): &Job| {
-        let found = measure(gas, *way, effort);
+    let one = |(gas, variant): &Job| {
+        let found = measure(gas, *variant, effort);
         progress.add(1);
         found
     };
@@ -76,18 +77,18 @@ fn points(seeds: u64, effort: Effort) -> Result<Vec<Point>> {
     Ok(kinds.iter().zip(runs).map(|(kind, runs)| point(*kind, runs)).collect())
 }
 
-fn point((young, packing, way): (f64, f64, Variant), runs: &[Measured]) -> Point {
+fn point((young, packing, variant): (f64, f64, Variant), runs: &[Measured]) -> Point {
     let mean = |of: fn(&Measured) -> f64| fit::mean(&runs.iter().map(of).collect::<Vec<_>>());
     let found = [mean(|run| run.diffusion), mean(|run| run.pressure)];
-    Point { packing, young, way, found, exceptions: mean(|run| run.exceptions)[0] }
+    Point { packing, young, variant, found, exceptions: mean(|run| run.exceptions)[0] }
 }
 
-fn series((k, quantity): (usize, &str), young: f64, way: Variant, points: &[Point]) -> Series {
-    let mut series = Series::new(format!("{}, Y = {young:e} Pa", way.name()))
-        .param("method", way.name())
+fn series((k, quantity): (usize, &str), young: f64, variant: Variant, points: &[Point]) -> Series {
+    let mut series = Series::new(format!("{}, Y = {young:e} Pa", variant.name()))
+        .param("method", variant.name())
         .param("quantity", quantity)
         .param("young", young);
-    for point in points.iter().filter(|point| point.way == way && point.young == young) {
+    for point in points.iter().filter(|point| point.variant == variant && point.young == young) {
         let [y, error] = point.found[k];
         series.push_with_error(point.packing, y, error);
     }
@@ -102,21 +103,21 @@ fn difference([value, error]: [f64; 2], [other, of_other]: [f64; 2]) -> [f64; 2]
 
 fn note(point: &Point, all: &[Point]) -> Note {
     let same = |p: &&Point| p.packing == point.packing && p.young == point.young;
-    let md = all.iter().filter(same).find(|p| p.way == Variant::Md).unwrap_or(point);
+    let md = all.iter().filter(same).find(|p| p.variant == Variant::Md).unwrap_or(point);
     let text = |k: usize| {
         let [value, error] = point.found[k];
         let [more, of_more] = difference(point.found[k], md.found[k]);
-        let than = match point.way {
+        let than = match point.variant {
             Variant::Md => String::new(),
             _ => format!(" ({more:+.2} ± {of_more:.2} % from MD)"),
         };
         format!("{} {value:.5} ± {error:.5} {}{than}", QUANTITIES[k], UNITS[k])
     };
-    let exceptions = match point.way {
+    let exceptions = match point.variant {
         Variant::EmdStar => format!("; {:.2} exceptions per 1000", 1000.0 * point.exceptions),
         _ => String::new(),
     };
-    let what = format!("η = {}, Y = {:e} Pa, {}", point.packing, point.young, point.way.name());
+    let what = format!("η = {}, Y = {:e} Pa, {}", point.packing, point.young, point.variant.name());
     Note::new(what, "left open", format!("{}, {}{exceptions}", text(0), text(1)))
 }
 
