@@ -2,7 +2,7 @@
 
 use super::bracket::{Found, Search};
 use super::scheduled_event::{EventKind, ScheduledEvent};
-use super::{range, root, shaking};
+use super::{number_range, root, shaking};
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, component};
 use crate::space::{Boundary, CellFace, Domain, Grid, Particles, flight};
@@ -24,7 +24,7 @@ pub(super) fn out_of_reach<S: Scalar, const D: usize>(
             span.map(|span| (span, EventKind::BoundarySentinel, ScheduledEvent::<S>::NO_FACE))
         }
     };
-    let Some((span, kind, face)) = range::within(domain, now, me, first) else {
+    let Some((span, kind, face)) = number_range::within(domain, now, me, first) else {
         return ScheduledEvent::NONE;
     };
     ScheduledEvent { face, ..ScheduledEvent::alone(now + span, kind) }

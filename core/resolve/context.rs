@@ -11,7 +11,7 @@ pub(crate) struct Context<'a, 'm, S: Scalar, const D: usize> {
     pub particles: &'a mut Particles<'m, S, D>,
     pub domain: &'a Domain<'m, S, D>,
     pub clock: &'a Clock<S>,
-    pub parameters: &'a Parameters<S>,
+    pub parameters: &'a mut Parameters<S>,
     pub effects: &'a mut Effects,
 }
 

@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::effects::EventOutcome;
-use super::{collision, contact_end, plane, wake};
+use super::{contact_end, grain_collision, plane_collision, wake};
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::Error;
 use crate::law::Rule;
@@ -46,8 +46,8 @@ fn touch<S: Scalar, const D: usize>(
         return Ok(EventOutcome::ContactInterrupted);
     }
     match (other, partner.as_plane()) {
-        (Some(k), _) => collision::collide(context, rule, [i, k]),
-        (None, Some(p)) => plane::collide(context, rule, (i, p)),
+        (Some(k), _) => grain_collision::collide(context, rule, [i, k]),
+        (None, Some(p)) => plane_collision::collide(context, rule, (i, p)),
         (None, None) => Ok(EventOutcome::Unchanged),
     }
 }

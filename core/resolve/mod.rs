@@ -1,27 +1,28 @@
 //! What happens then? Reads an event and the rule; writes bodies, returns the outcome and whose predictions are void.
 
-mod answer;
+mod accept_answer;
 mod clearance;
-mod collision;
-mod contact;
+mod contact_begin;
 mod contact_end;
 mod context;
 mod effects;
 mod event;
+mod grain_collision;
+mod gravity_change;
 mod impact_frame;
-mod instantaneous;
+mod instantaneous_collision;
 mod parameters;
-mod plane;
+mod plane_collision;
 mod rest;
 mod support;
-mod supported;
+mod supported_collision;
 mod wake;
 
-pub(crate) use contact::continue_under as continue_contact_under;
 pub(crate) use context::Context;
 pub use effects::EventOutcome;
 pub(crate) use effects::{Effects, Incident};
 pub(crate) use event::resolve;
+pub(crate) use gravity_change::continue_contact;
 pub(crate) use parameters::Parameters;
 pub use parameters::Release;
 pub(crate) use support::{lies_on, min_hop_time};

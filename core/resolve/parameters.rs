@@ -1,4 +1,4 @@
-//! What did the user choose for contacts? How they are interrupted, and which times are too short; reads and writes nothing.
+//! What was a world told of contacts, or has learned of them? Reads and writes nothing.
 
 /// How a contact ends for its two grains when a third body interrupts it (MP13 §VI.B.5, exception b).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -12,13 +12,15 @@ pub enum Release {
     Independent,
 }
 
-/// What a world was told about contacts.
+/// What a world was told of contacts, and the one thing that it learns of them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parameters<S> {
-    /// How an interrupted contact ends.
-    pub release: Release,
     /// The TC rule's contact duration t_c; 0 without the rule.
     pub t_c: S,
     /// Shorter hops on other grains are none: follows from gravity, see [`super::support::min_hop_time`].
     pub min_hop_time: S,
+    /// How an interrupted contact ends.
+    pub release: Release,
+    /// Whether a slow collision that would have lost energy was made elastic: hops on planes may end then.
+    pub lossy_hops: bool,
 }

@@ -1,7 +1,8 @@
 //! Who is next? The queue of all grains' events, and what of one instant comes first; reads predictions, writes the queue.
 
-mod order;
 mod queue;
+mod simultaneous;
+mod stale;
 
-pub(crate) use order::first_of_instant;
 pub(crate) use queue::EventQueue;
+pub(crate) use simultaneous::first_of_instant;

@@ -78,7 +78,9 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     }
 
     /// Visits all grains in this cell and its neighbours; all grains, if there is no grid.
-    pub fn for_each_near(&self, cell: u32, mut visit: impl FnMut(usize)) {
+    ///
+    /// Where it does not matter how fast, give it a `&mut dyn FnMut`: each other visitor is a copy of the search.
+    pub fn for_each_near(&self, cell: u32, visit: &mut (impl FnMut(usize) + ?Sized)) {
         self.batches(&self.coordinates(cell), END, &mut |batch: &NeighbourBatch| {
             batch.all().iter().for_each(|&grain| visit(grain as usize));
         });

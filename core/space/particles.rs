@@ -17,15 +17,13 @@ pub(crate) struct Particles<'m, S: Scalar, const D: usize> {
     pub largest_radius: S,
     /// How many bodies something holds against gravity.
     pub supported: usize,
-    /// Whether a slow collision that would have lost energy was made elastic: hops on planes may end then.
-    pub lossy_hops: bool,
 }
 
 impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
     /// These bodies, each in its cell.
     pub fn new(bodies: &'m mut [Body<S, D>], cells: Cells<'m, S, D>) -> Self {
         let largest_radius = largest_radius(bodies);
-        let mut all = Self { bodies, cells, largest_radius, supported: 0, lossy_hops: false };
+        let mut all = Self { bodies, cells, largest_radius, supported: 0 };
         all.fill_cells();
         all
     }

@@ -1,6 +1,6 @@
 //! Is this a world that can run? Reads what the user says, checks each field; writes the memory.
 
-use super::check;
+use super::check_input;
 use super::state::{Progress, World};
 use super::statistics::Statistics;
 use super::storage::{Buffers, Storage};
@@ -110,7 +110,7 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
             self.note(no("axis", axis as f64, "the number of an axis"));
         }
         if !(length > S::zero()) {
-            self.note(no("length", length.to_f64(), check::LENGTH));
+            self.note(no("length", length.to_f64(), check_input::LENGTH));
         }
         self.boundary.set_periodic(axis, PeriodicAxis { low, length });
         self
@@ -161,7 +161,7 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     /// # Errors
     /// [`Error::Full`] if the memory holds no more, [`Error::Input`] that names the grain and its field.
     pub fn grain(mut self, grain: Grain<S, D>) -> Result<Self, Error> {
-        check::grain(&grain, self.count)?;
+        check_input::grain(&grain, self.count)?;
         let capacity = self.buffers.capacity();
         let full =
             Error::Full { knob: "the memory (N of Memory, or the host's vectors)", capacity };
@@ -196,7 +196,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
     /// [`Error::Input`] for a field, [`Error::Overlap`] for two bodies that overlap.
     pub fn start(self) -> Result<World<'m, S, D, R>, Error> {
         let mut world = self.build()?;
-        check::overlaps(&world.particles, &world.domain, world.clock.now)?;
+        check_input::overlaps(&world.particles, &world.domain, world.clock.now)?;
         world.predict_all();
         Ok(world)
     }
@@ -216,10 +216,10 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         let tree = tree.get_mut(..self.count).unwrap_or_default();
         let links = links.get_mut(..self.count).unwrap_or_default();
         let largest_radius = largest_radius(bodies);
-        check::space(&boundary, &self.gravity, largest_radius)?;
+        check_input::space(&boundary, &self.gravity, largest_radius)?;
         for (i, body) in bodies.iter_mut().enumerate() {
             body.position = boundary.on_lattice(boundary.wrap_from_far(body.position));
-            check::inside(&boundary, i, body)?;
+            check_input::inside(&boundary, i, body)?;
         }
         events.fill(ScheduledEvent::NONE);
         let reach = largest_radius + largest_radius;
@@ -228,8 +228,13 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         Ok(World {
             particles: Particles::new(bodies, Cells::new(grid, heads, links)),
             domain: Domain::new(boundary, self.gravity),
-            clock: Clock { now: S::zero(), epoch: Instant::START },
-            parameters: Parameters { release: self.release, t_c: self.t_c, min_hop_time },
+            clock: Clock::start(),
+            parameters: Parameters {
+                t_c: self.t_c,
+                min_hop_time,
+                release: self.release,
+                lossy_hops: false,
+            },
             queue: EventQueue::new(events, tree),
             rule: self.rule,
             statistics: Statistics::default(),

@@ -1,9 +1,10 @@
 //! How does a user hold a world? Memory, builder, steps, observation, snapshots; reads and writes everything below.
 
 mod builder;
-mod check;
+mod check_input;
 mod check_snapshot;
 mod digest;
+mod gravity;
 mod observe;
 mod predictions;
 mod snapshot;

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::law::Rule;
 use crate::particle::Body;
 use crate::resolve::Release;
-use crate::scalar::{Instant, Scalar, Vector};
+use crate::scalar::{Clock, Instant, Scalar, Vector};
 use crate::space::{Grid, SavedBoundary};
 
 /// The whole state of a world but its rule. With the feature `serde` it can be serialised.
@@ -30,6 +30,7 @@ pub struct Snapshot<S: Scalar, const D: usize, B, Q> {
     grid: Option<Grid<S, D>>,
     gravity: Vector<S, D>,
     now: S,
+    last_visible: S,
     epoch: Instant,
     release: Release,
     t_c: S,
@@ -49,11 +50,12 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
             grid: self.particles.cells.grid,
             gravity: *self.domain.gravity(),
             now: self.clock.now,
+            last_visible: self.clock.last_visible,
             epoch: self.clock.epoch,
             release: self.parameters.release,
             t_c: self.parameters.t_c,
             statistics: self.statistics,
-            lossy_hops: self.particles.lossy_hops,
+            lossy_hops: self.parameters.lossy_hops,
             progress: self.progress,
             bodies: &*self.particles.bodies,
             events: &*self.queue.events,
@@ -101,8 +103,9 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
         let bodies = saved.bodies.as_ref();
         self.particles.bodies.copy_from_slice(bodies);
         self.particles.supported = bodies.iter().filter(|body| body.is_supported()).count();
-        self.particles.lossy_hops = saved.lossy_hops;
-        (self.clock.now, self.clock.epoch) = (saved.now, saved.epoch);
+        self.parameters.lossy_hops = saved.lossy_hops;
+        let Snapshot { now, last_visible, epoch, .. } = *saved;
+        self.clock = Clock { now, last_visible, epoch };
         self.domain.boundary.set_epoch(saved.epoch);
         self.particles.restore_cells(saved.grid, &self.domain, saved.now)?;
         (self.statistics, self.progress) = (saved.statistics, saved.progress);

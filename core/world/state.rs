@@ -2,7 +2,7 @@
 
 use super::statistics::Statistics;
 use crate::resolve::Parameters;
-use crate::scalar::{Clock, Instant, Scalar};
+use crate::scalar::{Clock, Scalar};
 use crate::schedule::EventQueue;
 use crate::space::{Domain, Particles};
 
@@ -48,14 +48,11 @@ pub(super) struct Progress {
     pub since_epoch: u32,
     /// Events since then that only renewed a prediction.
     pub bookkeeping: u32,
-    /// Events since the last visible instant.
+    /// Events since time was last seen to have moved on visibly.
     pub at_once: u32,
-    /// The last instant at which time had visibly moved on.
-    pub last_visible: Instant,
 }
 
 impl Progress {
     /// Nothing has happened yet.
-    pub const START: Self =
-        Self { since_epoch: 0, bookkeeping: 0, at_once: 0, last_visible: Instant::START };
+    pub const START: Self = Self { since_epoch: 0, bookkeeping: 0, at_once: 0 };
 }

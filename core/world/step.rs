@@ -138,10 +138,10 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Ok(());
         }
         let (at, events) = (self.now(), self.progress.at_once);
-        if !at.is_visibly_after(self.progress.last_visible) {
+        if !at.is_visibly_after(self.clock.instant_of(self.clock.last_visible)) {
             return Err(Error::Stuck { grain, with: event.with(), at, events });
         }
-        (self.progress.last_visible, self.progress.at_once) = (at, 0);
+        (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
         Ok(())
     }
 
@@ -156,7 +156,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             particles: &mut self.particles,
             domain: &self.domain,
             clock: &self.clock,
-            parameters: &self.parameters,
+            parameters: &mut self.parameters,
             effects,
         };
         resolve::resolve(&mut context, &self.rule, (grain, event))
@@ -174,11 +174,12 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             let (particles, queue) = (&self.particles, &mut self.queue);
             let (domain, now) = (&self.domain, self.clock.now);
             let cell = particles.body(grain).map_or(0, |body| body.cell);
-            particles.cells.for_each_near(cell, |k| {
+            let visit: &mut dyn FnMut(usize) = &mut |k| {
                 if resolve::lies_on(particles, domain, (now, &self.parameters), [k, grain]) {
                     queue.set(k, ScheduledEvent::alone(now, EventKind::SupportCheck));
                 }
-            });
+            };
+            particles.cells.for_each_near(cell, visit);
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! Is every contact found, in any box, law and batch? Reads random systems; writes nothing.
+//! Is every contact found, in any box, under any law, however many touch? Reads random systems; writes nothing.
 
 use carom_reference::{Boundary, End, EventKind, Exact, ForceLaw, Grain, Partner, System};
 use proptest::prelude::*;
@@ -124,8 +124,8 @@ proptest! {
 }
 
 #[test]
-#[ignore = "many batches: run with --release"]
-fn in_many_dense_boxes() {
+#[ignore = "many clusters: run with --release"]
+fn in_many_clusters() {
     for seed in 0..50 {
         for kind in 0..6 {
             let axes = (seed % 3) as usize;

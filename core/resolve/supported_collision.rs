@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::effects::{EventOutcome, Incident};
 use super::impact_frame::ImpactFrame;
-use super::instantaneous;
+use super::instantaneous_collision;
 use super::support::{effective_gravity, unsupported_part};
 use super::wake::kick;
 use crate::error::Error;
@@ -26,7 +26,7 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     let mobility = S::dot(&e, &to_a).divided_by(a.mass) - S::dot(&e, &to_b).divided_by(b.mass);
     let largest = S::one() / a.mass + S::one() / b.mass;
     if !(mobility > largest * S::from_f32(1e-4)) {
-        return instantaneous::collide(context, who, pair, frame, (S::one(), true));
+        return instantaneous_collision::collide(context, who, pair, frame, (S::one(), true));
     }
     let g = effective_gravity(context, if a.is_supported() { a } else { b });
     let least = norm(&g) * context.parameters.min_hop_time * S::from_f32(0.125);

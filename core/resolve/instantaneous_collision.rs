@@ -64,7 +64,7 @@ pub(super) fn reflect<S: Scalar, const D: usize>(
     let normal = plane.normal;
     let is_slow = speed + speed <= norm(context.domain.gravity()) * context.parameters.min_hop_time;
     let mut count = count_with_this(context, body, speed, is_slow);
-    if is_slow && context.particles.lossy_hops {
+    if is_slow && context.parameters.lossy_hops {
         count = count.max((count + 1).min(BEFORE_LANDING));
     }
     if count >= STUCK_AFTER {
@@ -128,7 +128,7 @@ fn final_restitution<S: Scalar, const D: usize>(
     let soon = last > -S::NEVER && context.now() - last < t_c;
     let endless = count >= max_consecutive::<D>();
     if restitution < S::one() && (soon || endless) {
-        context.particles.lossy_hops |= soon;
+        context.parameters.lossy_hops |= soon;
         context.count(if soon { Incident::WithinTc } else { Incident::Collapse });
         return S::one();
     }

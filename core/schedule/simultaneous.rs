@@ -6,6 +6,7 @@
 //! contact's end, a take-off, a recheck) comes before: it says who collides at all.
 
 use super::queue::EventQueue;
+use super::stale::is_stale;
 use crate::detect::{EventKind, ScheduledEvent, closing_speed};
 use crate::particle::Partner;
 use crate::scalar::Scalar;
@@ -50,15 +51,6 @@ pub(crate) fn first_of_instant<S: Scalar, const D: usize>(
         (None, None) if count < 2 => Ok(grain),
         (None, None) => Ok(fastest(particles, domain, queue, (grain, event.time))),
     }
-}
-
-/// Whether a predicted event is void because the partner's trajectory has changed since.
-fn is_stale<S: Scalar, const D: usize>(
-    particles: &Particles<'_, S, D>,
-    event: &ScheduledEvent<S>,
-) -> bool {
-    let partner = event.with().as_grain().and_then(|k| particles.body(k));
-    partner.is_some_and(|body| body.event_count != event.partner_event_count)
 }
 
 /// Whether the partner's event is the same collision.

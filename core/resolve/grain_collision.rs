@@ -1,10 +1,10 @@
 //! What happens when two grains touch? Reads both and the rule; writes both.
 
-use super::answer::ask;
+use super::accept_answer::ask;
 use super::context::Context;
 use super::effects::{EventOutcome, Incident};
 use super::impact_frame::ImpactFrame;
-use super::{contact, instantaneous, rest, supported};
+use super::{contact_begin, instantaneous_collision, rest, supported_collision};
 use crate::error::Error;
 use crate::law::{Response, Rule};
 use crate::particle::{Body, Partner};
@@ -59,12 +59,12 @@ fn respond<S: Scalar, const D: usize>(
     let [asleep, supported] = [Body::is_asleep, Body::is_supported].map(|is| pair.iter().any(is));
     if let Response::Lasting(outcome) = response
         && !(is_slow && asleep)
-        && contact::begin(context, who, &pair, (frame, &outcome))
+        && contact_begin::begin(context, who, &pair, (frame, &outcome))
     {
         return Ok(EventOutcome::ContactBegan(outcome));
     }
     if is_slow && supported {
-        return supported::collide(context, who, &pair, frame);
+        return supported_collision::collide(context, who, &pair, frame);
     }
-    instantaneous::collide(context, who, &pair, frame, (restitution, is_slow))
+    instantaneous_collision::collide(context, who, &pair, frame, (restitution, is_slow))
 }

@@ -1,9 +1,9 @@
 //! What happens when a grain touches a plane? Reads the grain, the plane and the rule; writes the grain.
 
-use super::answer::ask;
+use super::accept_answer::ask;
 use super::context::Context;
 use super::effects::{EventOutcome, Incident};
-use super::{contact, instantaneous, rest};
+use super::{contact_begin, instantaneous_collision, rest};
 use crate::error::Error;
 use crate::law::{Impact, Response, Rule};
 use crate::particle::{Body, Partner};
@@ -51,14 +51,19 @@ fn respond<S: Scalar, const D: usize>(
             if rest::comes_to_rest_on(context, body, p, after) {
                 return Ok(rest::lay_on_plane(context, i, body, p));
             }
-            if contact::is_pulled_off(context, body, plane, outcome.duration) {
+            if contact_begin::is_pulled_off(context, body, plane, outcome.duration) {
                 context.count(Incident::HardSphere);
-                return instantaneous::reflect(context, (i, p), body, [speed, outcome.restitution]);
+                return instantaneous_collision::reflect(
+                    context,
+                    (i, p),
+                    body,
+                    [speed, outcome.restitution],
+                );
             }
-            Ok(contact::begin_with_plane(context, (i, p), body, plane, (speed, &outcome)))
+            Ok(contact_begin::begin_with_plane(context, (i, p), body, plane, (speed, &outcome)))
         }
         Response::Instantaneous(restitution) => {
-            instantaneous::reflect(context, (i, p), body, [speed, restitution])
+            instantaneous_collision::reflect(context, (i, p), body, [speed, restitution])
         }
         Response::Refused { .. } | Response::Overflow(_) => Ok(EventOutcome::Unchanged),
     }

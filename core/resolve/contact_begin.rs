@@ -1,4 +1,4 @@
-//! How does a lasting contact begin, and go on when gravity changes? Reads bodies and an outcome; writes bodies, turned and bound (E^φ).
+//! How does a lasting contact begin? Reads bodies and an outcome; writes bodies, turned and bound (E^φ).
 
 use super::clearance::is_free;
 use super::context::Context;
@@ -95,28 +95,6 @@ pub(super) fn begin_with_plane<S: Scalar, const D: usize>(
     EventOutcome::ContactBegan(*outcome)
 }
 
-/// Gravity has changed during the contact of grain `i`: a third body may end it in time again, and one
-/// with a plane ends where it would have, or at once if gravity pulls the grain off visibly now.
-pub(crate) fn continue_under<S: Scalar, const D: usize>(
-    context: &mut Context<'_, '_, S, D>,
-    i: usize,
-    before: &Vector<S, D>,
-) {
-    let Some(body) = context.particles.body(i).copied().filter(Body::in_contact) else { return };
-    let (mut body, now) = (body, context.now());
-    let left = body.contact_end - now;
-    let planes = context.domain.boundary.planes();
-    if let Some(plane) = body.partner.as_plane().and_then(|p| planes.get(p)) {
-        let n = &plane.normal;
-        body.velocity += n * (dot(n, &(before - context.domain.gravity())) * left * S::half());
-        if is_pulled_off(context, &body, plane, left) {
-            (body.contact_end, body.reference_time) = (now, now);
-        }
-    }
-    body.reference_time = body.reference_time.min(uninterruptible_until(context, &body, left));
-    context.replace(i, body);
-}
-
 /// Whether gravity points away from a plane and would move the grain visibly, by more than a 64th of its
 /// radius, during the contact: g τ²/8 is how far the contact would bend its path into the plane.
 pub(super) fn is_pulled_off<S: Scalar, const D: usize>(
@@ -144,7 +122,7 @@ fn has_room<S: Scalar, const D: usize>(
 ///
 /// Meanwhile a third body may sink in by v τ/64, a fraction of what it would in a real contact; and the
 /// centre of a grain that is pressed into a corner again and again does not come behind a plane.
-fn uninterruptible_until<S: Scalar, const D: usize>(
+pub(super) fn uninterruptible_until<S: Scalar, const D: usize>(
     context: &Context<'_, '_, S, D>,
     body: &Body<S, D>,
     duration: S,
