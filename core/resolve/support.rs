@@ -111,7 +111,7 @@ fn supports<S: Scalar, const D: usize>(
             let _ = supports.push(plane.normal);
         }
     }
-    let visit: &mut dyn FnMut(usize) = &mut |k| {
+    context.particles.cells.for_each_near(body.cell, |k| {
         let at_rest = |other: &&Body<S, D>| k != i && Some(k) != not && can_support(*other);
         if context.particles.body(k).filter(at_rest).is_none() {
             return;
@@ -122,8 +122,7 @@ fn supports<S: Scalar, const D: usize>(
         if distance <= body.radius + other.radius + near && distance > S::zero() {
             let _ = supports.push(apart / distance);
         }
-    };
-    context.particles.cells.for_each_near(body.cell, visit);
+    });
     supports
 }
 

@@ -78,9 +78,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     }
 
     /// Visits all grains in this cell and its neighbours; all grains, if there is no grid.
-    ///
-    /// Where it does not matter how fast, give it a `&mut dyn FnMut`: each other visitor is a copy of the search.
-    pub fn for_each_near(&self, cell: u32, visit: &mut (impl FnMut(usize) + ?Sized)) {
+    pub fn for_each_near(&self, cell: u32, mut visit: impl FnMut(usize)) {
         self.batches(&self.coordinates(cell), END, &mut |batch: &NeighbourBatch| {
             batch.all().iter().for_each(|&grain| visit(grain as usize));
         });
@@ -94,7 +92,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
 
     /// The same for the cell with these numbers along the axes, in batches, filled up with a number of one's choice.
     #[inline]
-    pub fn batches(&self, at: &[u32; D], filler: u32, visit: &mut impl FnMut(&NeighbourBatch)) {
+    pub fn batches(&self, at: &[u32; D], filler: u32, visit: &mut dyn FnMut(&NeighbourBatch)) {
         match &self.grid {
             None => everyone(self.links.len(), filler, visit),
             Some(grid) => self.within(&grid.around(at), filler, visit),
@@ -108,7 +106,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         at: &[u32; D],
         face: CellFace,
         filler: u32,
-        visit: &mut impl FnMut(&NeighbourBatch),
+        visit: &mut dyn FnMut(&NeighbourBatch),
     ) {
         let Some(grid) = &self.grid else { return };
         self.within(&grid.ahead(at, face), filler, visit);
@@ -119,7 +117,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     /// They are gathered first, without a branch on whether there is one in a cell, and those behind the first in
     /// their lists after that: a chase from grain to grain and computations with them go badly together.
     #[inline(never)]
-    fn within(&self, around: &CellBlock, filler: u32, visit: &mut impl FnMut(&NeighbourBatch)) {
+    fn within(&self, around: &CellBlock, filler: u32, visit: &mut dyn FnMut(&NeighbourBatch)) {
         let mut batch = NeighbourBatch::new(filler, around.same_image);
         let [along @ [first, second, third], near, far] = &around.steps;
         let side_by_side = *second == first + 1 && *third == second + 1;
@@ -149,7 +147,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         first: u32,
         batch: &mut NeighbourBatch,
         filler: u32,
-        visit: &mut impl FnMut(&NeighbourBatch),
+        visit: &mut dyn FnMut(&NeighbourBatch),
     ) {
         let mut grain = first;
         while let Some(Link { next, .. }) = self.links.get(grain as usize).filter(|l| l.next != END)
@@ -166,7 +164,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
 
 /// Visits all grains.
 #[expect(clippy::cast_possible_truncation, reason = "the builder refuses more than MAX_GRAINS")]
-fn everyone(grains: usize, filler: u32, visit: &mut impl FnMut(&NeighbourBatch)) {
+fn everyone(grains: usize, filler: u32, visit: &mut dyn FnMut(&NeighbourBatch)) {
     for first in (0..grains).step_by(BATCH) {
         let mut batch = NeighbourBatch::new(filler, false);
         batch.grains = core::array::from_fn(|i| (first + i) as u32);

@@ -79,7 +79,7 @@ impl NeighbourBatch {
 
     /// Lets all be visited.
     #[inline(never)]
-    pub(super) fn flush(&mut self, filler: u32, visit: &mut impl FnMut(&Self)) {
+    pub(super) fn flush(&mut self, filler: u32, visit: &mut dyn FnMut(&Self)) {
         self.end(filler);
         visit(self);
         self.count = 0;

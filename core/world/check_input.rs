@@ -124,14 +124,13 @@ pub(super) fn overlaps<S: Scalar, const D: usize>(
         ends.fold(particles.largest_radius, |far, (low, high)| far.max(low.abs()).max(high.abs()));
     for (a, body) in particles.bodies.iter().enumerate() {
         let mut checked = Ok(());
-        let visit: &mut dyn FnMut(usize) = &mut |b| {
+        particles.cells.for_each_near(body.cell, |b| {
             if let Some(other) = particles.body(b).filter(|_| b < a && checked.is_ok()) {
                 let apart = domain.separation(body, other);
                 let gap = norm(&apart) - (body.radius + other.radius);
                 checked = refuse_overlap((a, body), Partner::grain(b), gap, far);
             }
-        };
-        particles.cells.for_each_near(body.cell, visit);
+        });
         checked?;
         for (p, plane) in domain.boundary.planes().iter().enumerate() {
             let gap = plane.gap(&body.position, body.radius, now);

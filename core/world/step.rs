@@ -174,12 +174,11 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             let (particles, queue) = (&self.particles, &mut self.queue);
             let (domain, now) = (&self.domain, self.clock.now);
             let cell = particles.body(grain).map_or(0, |body| body.cell);
-            let visit: &mut dyn FnMut(usize) = &mut |k| {
+            particles.cells.for_each_near(cell, |k| {
                 if resolve::lies_on(particles, domain, (now, &self.parameters), [k, grain]) {
                     queue.set(k, ScheduledEvent::alone(now, EventKind::SupportCheck));
                 }
-            };
-            particles.cells.for_each_near(cell, visit);
+            });
         }
         Ok(())
     }
