@@ -137,14 +137,14 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     /// them go through it first, without a branch, and the others are solved exactly then.
     #[inline(never)]
     fn prefiltered(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch, same_image: bool) {
-        let (particles, me) = (self.particles, self.filler());
+        let (bodies, me) = (&*self.particles.bodies, self.filler());
         let filter = Prefilter::new(self.now, [&self.here, &self.velocity], self.me.radius);
-        if size_of_val(particles.bodies) > CACHE {
+        if size_of_val(bodies) > CACHE {
             self.fetch(batch);
         }
         let (mut kept, mut count) = ([0; BATCH], 0);
         for some in batch.groups() {
-            let others = some.map(|k| particles.body(k as usize).unwrap_or(self.me));
+            let others = some.map(|k| bodies.get(k as usize).unwrap_or(self.me));
             let may = filter.may_collide(self.domain, others, same_image);
             for (i, &k) in some.iter().enumerate() {
                 put(&mut kept, count, k);

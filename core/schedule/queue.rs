@@ -85,6 +85,7 @@ impl<'m, S: Scalar> EventQueue<'m, S> {
     }
 
     /// Plays the matches on one leaf's way up again, as far as they can end otherwise than before.
+    #[inline]
     fn replay(&mut self, grain: usize) {
         let mut node = self.events.len() + grain;
         let mut mine = (self.word(node), self.time(grain));
