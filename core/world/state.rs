@@ -8,7 +8,7 @@ use crate::space::{Domain, Particles};
 
 /// Grains, what they are about to do, and the rule they obey.
 ///
-/// A world borrows its memory: a [`Memory`] of fixed size on a microcontroller, vectors on a host.
+/// A world borrows its memory: a [`crate::Memory`] of fixed size on a microcontroller, vectors on a host.
 /// It allocates nothing. The work per event is O(log N) with cells, O(N) without (few grains), and
 /// once every few events per grain O(N) for the clocks.
 ///
