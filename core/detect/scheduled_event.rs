@@ -57,6 +57,16 @@ impl<S: Scalar> ScheduledEvent<S> {
     /// An event that crosses no face.
     pub(crate) const NO_FACE: u8 = u8::MAX;
 
+    /// A place in memory that no grain has: all bits zero.
+    pub(crate) const VACANT: Self = Self {
+        time: S::ZERO,
+        collision_time: S::ZERO,
+        partner: Partner::ZERO,
+        partner_event_count: 0,
+        kind: EventKind::Collision,
+        face: 0,
+    };
+
     /// Nothing, ever.
     pub(crate) const NONE: Self = Self {
         time: S::NEVER,

@@ -2,7 +2,7 @@
 
 use super::grain::Grain;
 use super::partner::Partner;
-use crate::scalar::{Scalar, Vector};
+use crate::scalar::{Scalar, Vector, vector};
 
 /// A grain as the engine keeps it: its state at its own clock, and the contact it is in.
 ///
@@ -38,6 +38,24 @@ pub struct Body<S: Scalar, const D: usize> {
 }
 
 impl<S: Scalar, const D: usize> Body<S, D> {
+    /// A place in memory that no grain has: all bits zero, so that a `static` needs no image in flash.
+    pub(crate) const VACANT: Self = Self {
+        position: vector([S::ZERO; D]),
+        velocity: vector([S::ZERO; D]),
+        clock: S::ZERO,
+        radius: S::ZERO,
+        velocity_change: vector([S::ZERO; D]),
+        contact_end: S::ZERO,
+        reference_time: S::ZERO,
+        mass: S::ZERO,
+        partner: Partner::ZERO,
+        event_count: 0,
+        cell: 0,
+        material: 0,
+        planes: 0,
+        consecutive_collisions: 0,
+    };
+
     /// The grain at the start of its clock, in contact with nothing.
     pub(crate) fn new(grain: &Grain<S, D>) -> Self {
         Self {

@@ -7,6 +7,8 @@ pub struct Partner(u32);
 
 impl Partner {
     const FIRST_PLANE: u32 = u32::MAX - 255;
+    /// What memory holds that nobody has written yet.
+    pub(crate) const ZERO: Self = Self(0);
     /// Nothing at all.
     pub const NOTHING: Self = Self(u32::MAX);
     /// The most grains a world can hold: the words above name planes.

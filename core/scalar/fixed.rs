@@ -161,6 +161,7 @@ macro_rules! scalar {
         }
 
         impl Scalar for $t {
+            const ZERO: Self = Self::from_bits(0);
             type Lanes = Each<Self>;
 
             fn bits(self) -> u64 {

@@ -152,6 +152,7 @@ macro_rules! float {
         }
 
         impl Scalar for $t {
+            const ZERO: Self = 0.0;
             type Lanes = $lanes;
 
             fn bits(self) -> u64 {

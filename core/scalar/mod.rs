@@ -11,6 +11,7 @@ mod clock;
 mod fixed;
 mod float;
 mod instant;
+mod into_instant;
 mod lanes;
 mod traits;
 mod trigonometry;
@@ -21,8 +22,9 @@ pub use carom_tables::fixed_point::{I16F16, I32F32};
 pub use carom_tables::read::Real;
 pub(crate) use clock::Clock;
 pub use instant::{Instant, TimeSpan};
+pub use into_instant::IntoInstant;
 pub(crate) use lanes::{LANES, Lanes};
 pub use traits::{
     Comparison, Elementary, Products, Range, Rounding, Scalar, Timekeeping, Vector, WideProduct,
 };
-pub(crate) use vector::{all_finite, component, dot, max_abs, norm, reject};
+pub(crate) use vector::{all_finite, component, dot, max_abs, norm, reject, vector};

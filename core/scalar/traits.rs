@@ -192,6 +192,9 @@ pub trait Scalar:
     + Sync
     + 'static
 {
+    /// Zero, where `num_traits::Zero` cannot give it: in a constant.
+    const ZERO: Self;
+
     /// Several of these numbers side by side.
     #[doc(hidden)]
     type Lanes: Lanes<Self>;

@@ -2,6 +2,11 @@
 
 use super::traits::{Scalar, Vector, WideProduct};
 
+/// A vector of these components, also in a constant.
+pub const fn vector<S, const D: usize>(components: [S; D]) -> Vector<S, D> {
+    Vector::from_array_storage(nalgebra::ArrayStorage([components]))
+}
+
 /// Whether every component can be computed with.
 pub fn all_finite<S: Scalar, const D: usize>(v: &Vector<S, D>) -> bool {
     v.iter().all(|x| x.is_finite())

@@ -11,6 +11,11 @@ pub struct Link {
     previous: u32,
 }
 
+impl Link {
+    /// A place in memory that no grain has: all bits zero.
+    pub(crate) const VACANT: Self = Self { next: 0, previous: 0 };
+}
+
 impl Default for Link {
     fn default() -> Self {
         Self { next: END, previous: END }

@@ -1,6 +1,6 @@
 //! What is a wall, and where is it now? Planes at rest and vibrating plates; reads a time, writes nothing.
 
-use crate::scalar::{Instant, Scalar, Vector, dot};
+use crate::scalar::{Instant, Scalar, Vector, dot, vector};
 
 /// What a plane does to a grain that touches it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -123,6 +123,14 @@ pub struct Plane<S: Scalar, const D: usize> {
 }
 
 impl<S: Scalar, const D: usize> Plane<S, D> {
+    /// A place in memory that no plane has: all bits zero.
+    pub(crate) const VACANT: Self = Self {
+        normal: vector([S::ZERO; D]),
+        offset: S::ZERO,
+        surface: Surface::Rule,
+        vibration: None,
+    };
+
     /// A plane with this unit normal, at this distance from the origin along it, at rest.
     #[must_use]
     pub fn new(normal: [S; D], offset: S, surface: Surface<S>) -> Self {
@@ -133,6 +141,16 @@ impl<S: Scalar, const D: usize> Plane<S, D> {
     #[must_use]
     pub fn vibrating(self, vibration: Vibration<S>) -> Self {
         Self { vibration: Some(vibration), ..self }
+    }
+
+    /// The same plane, its normal of unit length to the last place if it was to five digits.
+    pub(crate) fn with_unit_normal(self) -> Self {
+        let square = dot(&self.normal, &self.normal);
+        let is_near = (square - S::one()).abs() <= S::from_f32(1e-5).max(S::RESOLUTION);
+        if square == S::one() || !is_near {
+            return self;
+        }
+        Self { normal: self.normal / square.sqrt(), ..self }
     }
 
     /// The plane at `at` across `axis`, allowing what is above it (or below).

@@ -73,8 +73,12 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     }
 
     /// One plane wall. Grains stay where `normal · r ≥ offset`.
+    ///
+    /// A normal written to five digits or more is made of unit length to the last place; one further off
+    /// (|n|² − 1 above 10⁻⁵) is refused by [`WorldBuilder::start`].
     #[must_use]
     pub fn plane(mut self, plane: Plane<S, D>) -> Self {
+        let plane = plane.with_unit_normal();
         if !self.boundary.add_plane(plane) {
             self.note(Err(self.too_many_planes()));
         }

@@ -10,7 +10,7 @@ fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Resul
     finite(subject, "normal", &plane.normal)?;
     let length = dot(&plane.normal, &plane.normal);
     let rounding = S::RESOLUTION * S::from_f32(8.0);
-    if !((length - S::one()).abs() <= S::from_f32(1e-5).max(rounding)) {
+    if !((length - S::one()).abs() <= rounding) {
         return Err(Error::input(subject, "normal's length squared", length.to_f64(), "1"));
     }
     if !plane.offset.is_finite() {

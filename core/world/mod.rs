@@ -1,5 +1,6 @@
 //! How does a user hold a world? Memory, builder, steps, observation, snapshots; reads and writes everything below.
 
+mod advance;
 mod builder;
 mod check_input;
 mod check_snapshot;

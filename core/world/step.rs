@@ -35,52 +35,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         self.step_within(S::NEVER, observer)
     }
 
-    /// Everything up to and including this instant happens, and it becomes the present: exactly, or as
-    /// nearly before it as `S` can tell.
-    ///
-    /// It does not matter in how many calls one gets there: the state is the same to the last bit.
-    ///
-    /// # Errors
-    /// As [`World::step`], and [`Error::Past`].
-    pub fn advance_to(&mut self, instant: impl Into<Instant>) -> Result<(), Error> {
-        self.advance_observed(instant, &mut ())
-    }
-
-    /// As [`World::advance_to`], observed.
-    ///
-    /// # Errors
-    /// As [`World::advance_to`].
-    pub fn advance_observed(
-        &mut self,
-        instant: impl Into<Instant>,
-        observer: &mut impl Observer<S, D>,
-    ) -> Result<(), Error> {
-        let asked = instant.into();
-        let now = self.now();
-        if asked < now {
-            return Err(Error::Past { asked, now });
-        }
-        let mut epoch = self.clock.epoch;
-        let mut limit = asked.span_since(epoch);
-        while self.step_within(limit, observer)?.is_some() {
-            if self.clock.epoch != epoch {
-                epoch = self.clock.epoch;
-                limit = asked.span_since(epoch);
-            }
-        }
-        loop {
-            let span: S = asked.span_since(self.clock.epoch);
-            self.clock.move_to(span.min(S::LATE));
-            if !(span > S::LATE) {
-                return Ok(());
-            }
-            self.set_clocks_back(self.clock.now);
-            self.predict_all();
-        }
-    }
-
     /// The next event that is due by `limit` happens.
-    fn step_within(
+    pub(super) fn step_within(
         &mut self,
         limit: S,
         observer: &mut impl Observer<S, D>,

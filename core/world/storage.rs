@@ -3,7 +3,7 @@
 use crate::detect::ScheduledEvent;
 use crate::particle::Body;
 use crate::scalar::Scalar;
-use crate::space::{Link, MAX_PLANES, Plane, Surface};
+use crate::space::{Link, MAX_PLANES, Plane};
 
 /// What a world borrows. The shortest slice but `heads` says how many grains fit.
 pub struct Buffers<'m, S: Scalar, const D: usize> {
@@ -58,25 +58,41 @@ pub struct Memory<S: Scalar, const D: usize, const N: usize, const P: usize = MA
     planes: [Plane<S, D>; P],
 }
 
-impl<S: Scalar, const D: usize, const N: usize> Memory<S, D, N> {
-    /// Empty memory with places for all planes there can be.
+impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, P> {
+    /// Empty memory, also in a `static`: all its bits are zero, so it takes no flash.
+    ///
+    /// ```
+    /// use carom::{Grain, Memory, World, law::HardSphere};
+    /// use std::sync::Mutex; // on a microcontroller: critical_section::Mutex, or a StaticCell without a lock
+    ///
+    /// static MEMORY: Mutex<Memory<f32, 2, 16, 4>> = Mutex::new(Memory::new());
+    ///
+    /// let mut memory = MEMORY.lock().unwrap();
+    /// let world = World::builder(&mut *memory)
+    ///     .walls([[0.0, 0.05]; 2])
+    ///     .rule(HardSphere { restitution: 0.9 })
+    ///     .grain(Grain::sphere(1.0e-3, 2500.0).at([0.01, 0.02]))?
+    ///     .start()?;
+    /// assert_eq!(world.view().len(), 1);
+    /// # Ok::<(), carom::Error>(())
+    /// ```
     #[must_use]
-    pub fn new() -> Self {
-        Self::default()
+    pub const fn new() -> Self {
+        Self {
+            bodies: [Body::VACANT; N],
+            events: [ScheduledEvent::VACANT; N],
+            tree: [0; N],
+            links: [Link::VACANT; N],
+            heads: [0; N],
+            planes: [Plane::VACANT; P],
+        }
     }
 }
 
 impl<S: Scalar, const D: usize, const N: usize, const P: usize> Default for Memory<S, D, N, P> {
     /// Empty memory.
     fn default() -> Self {
-        Self {
-            bodies: [Body::default(); N],
-            events: [ScheduledEvent::NONE; N],
-            tree: [0; N],
-            links: [Link::default(); N],
-            heads: [0; N],
-            planes: [Plane::new([S::zero(); D], S::zero(), Surface::Rule); P],
-        }
+        Self::new()
     }
 }
 

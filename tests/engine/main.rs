@@ -1,5 +1,6 @@
 //! Does the engine keep what it promises? Conservation, symmetry, time, errors and snapshots, for all inputs.
 
+mod advance;
 mod conservation;
 mod contact;
 mod corners;

@@ -144,19 +144,12 @@ extern "C" fn start(count: usize) -> u32 {
 /// Everything up to this time happens: 0; or the first `max_events` events of it: 2.
 #[unsafe(no_mangle)]
 extern "C" fn advance(time: f64, max_events: u32) -> u32 {
-    let mut left = max_events;
+    let mut arrived = true;
     let status = SHARED.lock().with_world(|world| {
-        if max_events < u32::MAX {
-            // The first event may turn out stale and the one after it be late: then now is past `time`.
-            while left > 0 && world.next_event_time().is_some_and(|next| next.as_f64() <= time) {
-                next_event(world)?;
-                left -= 1;
-            }
-        }
-        let reached = left == 0 || (max_events < u32::MAX && world.now().as_f64() >= time);
-        if reached { Ok(()) } else { world.advance_to(time) }
+        arrived = world.advance_with_budget(time, max_events)?;
+        Ok(())
     });
-    if status == 0 && left == 0 { 2 } else { status }
+    if status == 0 && !arrived { 2 } else { status }
 }
 
 /// The next event happens: 0, or nothing ever will: 2.
