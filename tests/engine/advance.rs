@@ -27,16 +27,16 @@ fn a_budget_of_events_changes_no_bit() {
     let (mut whole, mut in_parts) = (falling(&mut one), falling(&mut other));
     let mut calls = 0;
     for frame in 1..=40 {
-        let t = 0.05 * f64::from(frame);
+        let t = 0.25 * f64::from(frame);
         whole.advance_to(t).unwrap();
-        while !in_parts.advance_with_budget(t, 7).unwrap() {
+        while !in_parts.advance_with_budget(t, 3).unwrap() {
             calls += 1;
             assert!(in_parts.now() <= Instant::from(t));
         }
         assert_eq!(whole.now(), in_parts.now());
         assert_eq!(whole.digest(), in_parts.digest(), "frame {frame}");
     }
-    assert!(calls > 200, "{calls}");
+    assert!(calls > 100, "{calls}");
     assert_eq!(whole.statistics(), in_parts.statistics());
 }
 
@@ -56,7 +56,7 @@ fn a_step_goes_no_further_than_it_is_told() {
     let (mut whole, mut stepped) = (falling(&mut one), falling(&mut other));
     let mut events = 0;
     for frame in 1..=400 {
-        let t = Instant::from(0.005 * f64::from(frame));
+        let t = Instant::from(0.025 * f64::from(frame));
         while let Some(event) = stepped.step_until(t).unwrap() {
             assert!(event.at <= t && !event.kind.is_bookkeeping(), "{event:?}");
             events += 1;
@@ -119,5 +119,5 @@ fn a_normal_further_off_is_refused() {
     let Err(error) = World::builder(&mut memory).plane(slanted).rule(RULE).start() else {
         panic!("taken")
     };
-    assert!(error.to_string().contains("plane 0: normal's length squared is 0.98"), "{error}");
+    assert!(error.to_string().contains("plane 0: normal's length squared is 0.9"), "{error}");
 }
