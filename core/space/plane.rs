@@ -144,6 +144,7 @@ impl<S: Scalar, const D: usize> Plane<S, D> {
     }
 
     /// The same plane, its normal of unit length to the last place if it was to five digits.
+    #[inline(never)]
     pub(crate) fn with_unit_normal(self) -> Self {
         let square = dot(&self.normal, &self.normal);
         let is_near = (square - S::one()).abs() <= S::from_f32(1e-5).max(S::RESOLUTION);
