@@ -66,8 +66,8 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
 
     fn boxed(mut self, sides: [[S; 2]; D], surface: Surface<S>) -> Self {
         for (axis, [low, high]) in sides.into_iter().enumerate() {
-            self = self.plane(Plane::across(axis, low, true, surface));
-            self = self.plane(Plane::across(axis, high, false, surface));
+            self.add(Plane::across(axis, low, true, surface));
+            self.add(Plane::across(axis, high, false, surface));
         }
         self
     }
@@ -78,11 +78,16 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     /// (|n|² − 1 above 10⁻⁵) is refused by [`WorldBuilder::start`].
     #[must_use]
     pub fn plane(mut self, plane: Plane<S, D>) -> Self {
-        let plane = plane.with_unit_normal();
+        self.add(plane.with_unit_normal());
+        self
+    }
+
+    /// One plane more, its normal of unit length.
+    #[inline(never)]
+    fn add(&mut self, plane: Plane<S, D>) {
         if !self.boundary.add_plane(plane) {
             self.note(Err(self.too_many_planes()));
         }
-        self
     }
 
     pub(super) fn too_many_planes(&self) -> Error {
