@@ -95,7 +95,7 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
         let knob = if capacity < MAX_PLANES {
             "the memory's places for planes (P of Memory, or the host's vectors)"
         } else {
-            "the list of planes (carom::space::boundary::MAX_PLANES)"
+            "the list of planes (carom::space::MAX_PLANES)"
         };
         Error::Full { knob, capacity }
     }
