@@ -60,6 +60,8 @@
     )
 )]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
 #[cfg(test)]
 extern crate std;
 
@@ -76,4 +78,6 @@ pub mod world;
 pub use error::Error;
 pub use particle::Grain;
 pub use scalar::{Instant, Scalar};
+#[cfg(feature = "alloc")]
+pub use world::HeapMemory;
 pub use world::{Memory, Observer, Release, Statistics, Storage, View, World};
