@@ -18,7 +18,7 @@ impl Active {
 
 /// How much longer a step may be, given the error of this one.
 fn growth(error: f64) -> f64 {
-    0.8 * (TOLERANCE / error.max(1e-30)).powf(1.0 / 16.0)
+    0.8 * libm::pow(TOLERANCE / error.max(1e-30), 1.0 / 16.0)
 }
 
 impl<const D: usize> Cluster<D> {
