@@ -105,15 +105,19 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, 
     /// ```
     #[must_use]
     pub const fn new() -> Self {
-        Self(Arrays {
-            bodies: [Body::VACANT; N],
-            events: [ScheduledEvent::VACANT; N],
-            tree: [0; N],
-            links: [Link::VACANT; N],
-            heads: [0; N],
-            planes: [Plane::VACANT; P],
-        })
+        Self::EMPTY
     }
+
+    /// A constant, so that nothing is put together at run time: there the parts and the whole would be on the
+    /// stack at once, which is too much for 16 KiB of RAM.
+    const EMPTY: Self = Self(Arrays {
+        bodies: [Body::VACANT; N],
+        events: [ScheduledEvent::VACANT; N],
+        tree: [0; N],
+        links: [Link::VACANT; N],
+        heads: [0; N],
+        planes: [Plane::VACANT; P],
+    });
 }
 
 impl<S: Scalar, const D: usize, const N: usize, const P: usize> Default for Memory<S, D, N, P> {
