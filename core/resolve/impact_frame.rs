@@ -2,7 +2,7 @@
 
 use crate::law::{Impact, Outcome};
 use crate::particle::Body;
-use crate::scalar::{Scalar, Vector, WideProduct, norm};
+use crate::scalar::{Scalar, Vector, norm};
 
 /// Two bodies as they touch: the relative coordinates of MP13, Eq. (5), seen from the second.
 pub(crate) struct ImpactFrame<S: Scalar, const D: usize> {
@@ -11,7 +11,8 @@ pub(crate) struct ImpactFrame<S: Scalar, const D: usize> {
     /// Unit vector of the tangential motion; zero if there is none.
     e_t: Vector<S, D>,
     /// Distance of the centres.
-    distance: S,
+    pub distance: S,
+    pub separation: Vector<S, D>,
     /// ṙ: negative.
     pub radial: S,
     /// |r φ̇|.
@@ -27,11 +28,11 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
         }
         let e_r = separation / distance;
         // The sign is that of r·v, as in the prediction: else rounding could make an event of nothing.
-        let radial = S::dot(&separation, &velocity).divided_by(distance);
+        let radial = S::along(&separation, &velocity, distance);
         let across = velocity - e_r * radial;
         let tangential = if D > 1 { norm(&across) } else { S::zero() };
         let e_t = if tangential > S::zero() { across / tangential } else { Vector::zeros() };
-        Some(Self { e_r, e_t, distance, radial, tangential })
+        Some(Self { separation, e_r, e_t, distance, radial, tangential })
     }
 
     /// What a rule may know of the two.

@@ -146,6 +146,14 @@ macro_rules! float {
             fn dot<const D: usize>(a: &Vector<Self, D>, b: &Vector<Self, D>) -> Self {
                 a.dot(b)
             }
+            #[inline]
+            fn along<const D: usize>(
+                r: &Vector<Self, D>,
+                v: &Vector<Self, D>,
+                distance: Self,
+            ) -> Self {
+                r.dot(v) * distance / r.dot(r)
+            }
             fn is_negligible<const D: usize>(part: &Vector<Self, D>, of: &Vector<Self, D>) -> bool {
                 part.dot(part) <= of.dot(of) * Self::from_f32(1e-4)
             }

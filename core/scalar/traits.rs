@@ -152,6 +152,14 @@ pub trait Products: Real {
     fn times(self, other: Self) -> Self::Product;
     /// The scalar product, not yet rounded.
     fn dot<const D: usize>(a: &Vector<Self, D>, b: &Vector<Self, D>) -> Self::Product;
+    /// The component of `v` along `r`, whose length rounds to `distance`.
+    ///
+    /// Made so that times r/`distance` it is the projection of `v` on r without a trend, which way ever
+    /// the length was rounded: the energy of an elastic gas would grow or shrink by it.
+    #[must_use]
+    fn along<const D: usize>(r: &Vector<Self, D>, v: &Vector<Self, D>, distance: Self) -> Self {
+        Self::dot(r, v).divided_by(distance)
+    }
     /// Whether a part of a vector is below a hundredth of it.
     fn is_negligible<const D: usize>(part: &Vector<Self, D>, of: &Vector<Self, D>) -> bool;
     /// When two spheres touch, if this type finds it in a way of its own, see `detect::root::spheres`.
