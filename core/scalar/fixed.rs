@@ -140,6 +140,24 @@ macro_rules! scalar {
                 let products = a.iter().zip(b.iter()).map(|(x, y)| x.times(*y));
                 products.reduce(|x, y| x + y).unwrap_or_default()
             }
+            // These numbers lie equally dense everywhere: no length is always rounded one way.
+            fn direction_norm<const D: usize>(r: &Vector<Self, D>) -> Self {
+                <Self as Products>::dot(r, r).sqrt()
+            }
+            fn component<const D: usize>(
+                r: &Vector<Self, D>,
+                v: &Vector<Self, D>,
+                length: Self,
+            ) -> Self {
+                <Self as Products>::dot(r, v).divided_by(length)
+            }
+            fn along<const D: usize>(
+                r: &Vector<Self, D>,
+                x: Self,
+                length: Self,
+            ) -> Vector<Self, D> {
+                r / length * x
+            }
             fn is_negligible<const D: usize>(part: &Vector<Self, D>, of: &Vector<Self, D>) -> bool {
                 let square = |v| <Self as Products>::dot(v, v).bits();
                 let part = square(part).and_then(|p| p.checked_mul(10_000));

@@ -152,14 +152,15 @@ pub trait Products: Real {
     fn times(self, other: Self) -> Self::Product;
     /// The scalar product, not yet rounded.
     fn dot<const D: usize>(a: &Vector<Self, D>, b: &Vector<Self, D>) -> Self::Product;
-    /// The component of `v` along `r`, whose length rounds to `distance`.
+    /// The length by which [`component`](Self::component) and [`along`](Self::along) divide: |r| or a part of it.
+    fn direction_norm<const D: usize>(r: &Vector<Self, D>) -> Self;
+    /// The component of v along r, (r·v)/|r|, with the sign of r·v; `length` is `direction_norm(r)`.
     ///
-    /// Made so that times r/`distance` it is the projection of `v` on r without a trend, which way ever
-    /// the length was rounded: the energy of an elastic gas would grow or shrink by it.
-    #[must_use]
-    fn along<const D: usize>(r: &Vector<Self, D>, v: &Vector<Self, D>, distance: Self) -> Self {
-        Self::dot(r, v).divided_by(distance)
-    }
+    /// Without a trend: beside a power of two a square root is always rounded one way. Unit vectors made by it
+    /// are too long on average, and the energy of an elastic gas would rise with every collision.
+    fn component<const D: usize>(r: &Vector<Self, D>, v: &Vector<Self, D>, length: Self) -> Self;
+    /// The vector of magnitude x along r; `length` is `direction_norm(r)`. Without a trend, too.
+    fn along<const D: usize>(r: &Vector<Self, D>, x: Self, length: Self) -> Vector<Self, D>;
     /// Whether a part of a vector is below a hundredth of it.
     fn is_negligible<const D: usize>(part: &Vector<Self, D>, of: &Vector<Self, D>) -> bool;
     /// When two spheres touch, if this type finds it in a way of its own, see `detect::root::spheres`.

