@@ -170,7 +170,7 @@ macro_rules! float {
                 v: &Vector<Self, D>,
                 length: Self,
             ) -> Self {
-                over_length!(r.dot(v) * PART as $t, r * NO_SHORT_PATTERN as $t, length)
+                over_length!(r.dot(v) * PART as $t, r * PART as $t, length)
             }
             #[inline]
             fn along<const D: usize>(
