@@ -82,6 +82,16 @@ impl<S: Scalar> ScheduledEvent<S> {
         Self { time, kind, ..Self::NONE }
     }
 
+    /// A search got no further: it goes on then, from there.
+    pub(crate) fn paused(time: S) -> Self {
+        Self { collision_time: time, ..Self::alone(time, EventKind::Recheck) }
+    }
+
+    /// Whether it is that.
+    pub(crate) fn is_pause(&self) -> bool {
+        self.kind == EventKind::Recheck && self.collision_time <= self.time
+    }
+
     /// What the event is about: nothing but the grain itself, unless it is a collision.
     pub(crate) fn with(&self) -> Partner {
         if self.kind == EventKind::Collision { self.partner } else { Partner::NOTHING }

@@ -70,7 +70,7 @@ macro_rules! scalar {
             fn min_step(_: Self, bound: Self) -> Self {
                 Comparison::max(Self::DELTA.root_of_ratio(bound + bound), Self::DELTA)
             }
-            fn negligible_acceleration(_: Self, _: Self) -> Self {
+            fn negligible_acceleration(_: Self) -> Self {
                 Self::DELTA
             }
         }

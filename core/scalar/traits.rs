@@ -94,11 +94,10 @@ pub trait Rounding: Real + num_traits::Zero + Comparison {
     fn min_step(size: Self, bound: Self) -> Self {
         (Self::RESOLUTION * Self::from_f32(0.5) * (size / bound)).sqrt()
     }
-    /// An acceleration above zero too weak to matter to something of this size before the limit.
+    /// An acceleration too weak to matter to something of this size.
     #[must_use]
-    fn negligible_acceleration(size: Self, limit: Self) -> Self {
-        let span = limit.min(Self::from_f32(1e9)).max(Self::RESOLUTION);
-        Self::RESOLUTION * (size / span) / span + Self::RESOLUTION * Self::RESOLUTION * size
+    fn negligible_acceleration(size: Self) -> Self {
+        Self::RESOLUTION * Self::RESOLUTION * size
     }
 }
 
