@@ -8,6 +8,7 @@ use crate::space::CellFace;
 /// What a grain's next event is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum EventKind {
     /// It touches its partner: a grain or a plane (E^φ of MP13, or an instantaneous collision).

@@ -183,7 +183,7 @@ macro_rules! scalar {
             type Lanes = Each<Self>;
 
             fn bits(self) -> u64 {
-                i64::from(self.to_bits()).cast_unsigned()
+                i64::from(self.to_bits()) as u64
             }
             fn from_count(count: u32) -> Self {
                 Self::from_whole(count)
