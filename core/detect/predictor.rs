@@ -194,12 +194,17 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
         }
         let limit = self.limit(first);
         let look = |start: S| {
-            let [me, other] = [self.me, other].map(|body| flight::at(body, self.domain, start));
+            let [me, other] = [self.me, other].map(|body| self.at(body, start));
             collision_time::supported_pair(self.domain, start, [&me, &other], limit - start)
         };
         let found = self.search(self.me.clock.max(other.clock), look);
         let from = self.me.uninterruptible_until().max(other.uninterruptible_until());
         self.found(first, found, from, Partner::grain(k));
+    }
+
+    /// A body at a time, which often is its own.
+    fn at(&self, body: &Body<S, D>, time: S) -> Body<S, D> {
+        if body.clock == time { *body } else { flight::at(body, self.domain, time) }
     }
 
     /// Searches from where the motions began, so that the event has the same bits whenever one asks; what is past
@@ -235,7 +240,7 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
             if me.is_supported() || plane.vibration.is_some() {
                 let limit = self.limit(first);
                 let look = |start: S| {
-                    let body = flight::at(me, self.domain, start);
+                    let body = self.at(me, start);
                     collision_time::body_and_plane(
                         self.domain,
                         start,

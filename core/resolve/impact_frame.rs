@@ -14,8 +14,6 @@ pub(crate) struct ImpactFrame<S: Scalar, const D: usize> {
     e_t: Vector<S, D>,
     /// Distance of the centres.
     distance: S,
-    /// What `S::along` divides by.
-    length: S,
     /// ṙ: negative.
     pub radial: S,
     /// |r φ̇|.
@@ -30,13 +28,12 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
             return None;
         }
         let e_r = separation / distance;
-        let length = S::direction_norm(&separation);
         // The sign is that of r·v, as in the prediction: else rounding could make an event of nothing.
-        let radial = S::component(&separation, &velocity, length);
-        let across = velocity - S::along(&separation, radial, length);
+        let radial = S::component(&separation, &velocity, distance);
+        let across = velocity - S::along(&separation, radial, distance);
         let tangential = if D > 1 { norm(&across) } else { S::zero() };
         let e_t = if tangential > S::zero() { across / tangential } else { Vector::zeros() };
-        Some(Self { separation, e_r, e_t, distance, length, radial, tangential })
+        Some(Self { separation, e_r, e_t, distance, radial, tangential })
     }
 
     /// What a rule may know of the two.
@@ -53,7 +50,7 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
 
     /// The vector of this magnitude from the second body to the first.
     pub fn along(&self, magnitude: S) -> Vector<S, D> {
-        S::along(&self.separation, magnitude, self.length)
+        S::along(&self.separation, magnitude, self.distance)
     }
 
     /// Separation and relative velocity after the contact (MP13 Eqs. 24, 26, 28, 34–38).

@@ -141,9 +141,6 @@ macro_rules! scalar {
                 products.reduce(|x, y| x + y).unwrap_or_default()
             }
             // These numbers lie equally dense everywhere: no length is always rounded one way.
-            fn direction_norm<const D: usize>(r: &Vector<Self, D>) -> Self {
-                <Self as Products>::dot(r, r).sqrt()
-            }
             fn component<const D: usize>(
                 r: &Vector<Self, D>,
                 v: &Vector<Self, D>,

@@ -9,9 +9,10 @@ use super::traits::{
 use super::trigonometry;
 use carom_tables::read::Real;
 
-/// Directions are taken of this part of r. Positions lie on a lattice, so r·r often lies halfway between two numbers, and beside a power of two the rule
-/// for such ties (to the even one) rounds one way. That of 0.83 r does not: 0.83 has no short binary pattern, as
-/// 0.7 or 0.9 have, with which products are rounded one way again (0.07 units in the last place were measured).
+/// Directions are taken of this part of r. Positions lie on a lattice, so r·r often lies halfway between two
+/// numbers, and beside a power of two the rule for such ties (to the even one) rounds one way. That of 0.83 r does
+/// not: 0.83 has no short binary pattern, as 0.7 or 0.9 have, with which products are rounded one way again (0.07
+/// units in the last place were measured).
 const PART: f64 = 0.83;
 
 const TICKS_PER_UNIT: f64 = 18_446_744_073_709_551_616.0;
@@ -45,10 +46,11 @@ macro_rules! parts {
 }
 
 /// x/|u|: by the rounded length, and by u·u over it; what rounding made one too large it made the other too small.
+/// What the length is wrong by enters squared.
 macro_rules! over_length {
     ($x:expr, $u:expr, $length:expr) => {{
-        let u = $u;
-        ($x / $length + $x * $length / u.dot(&u)) * 0.5
+        let (u, length) = ($u, $length);
+        ($x / length + $x * length / u.dot(&u)) * 0.5
     }};
 }
 
@@ -160,17 +162,13 @@ macro_rules! float {
                 a.dot(b)
             }
             #[inline]
-            fn direction_norm<const D: usize>(r: &Vector<Self, D>) -> Self {
-                let u = r * PART as $t;
-                Real::sqrt(u.dot(&u))
-            }
-            #[inline]
             fn component<const D: usize>(
                 r: &Vector<Self, D>,
                 v: &Vector<Self, D>,
                 length: Self,
             ) -> Self {
-                over_length!(r.dot(v) * PART as $t, r * PART as $t, length)
+                let part = PART as $t;
+                over_length!(r.dot(v) * part, r * part, length * part)
             }
             #[inline]
             fn along<const D: usize>(
@@ -178,8 +176,9 @@ macro_rules! float {
                 x: Self,
                 length: Self,
             ) -> Vector<Self, D> {
-                let u = r * PART as $t;
-                u * over_length!(x, u, length)
+                let part = PART as $t;
+                let u = r * part;
+                u * over_length!(x, u, length * part)
             }
             fn is_negligible<const D: usize>(part: &Vector<Self, D>, of: &Vector<Self, D>) -> bool {
                 part.dot(part) <= of.dot(of) * Self::from_f32(1e-4)

@@ -151,14 +151,12 @@ pub trait Products: Real {
     fn times(self, other: Self) -> Self::Product;
     /// The scalar product, not yet rounded.
     fn dot<const D: usize>(a: &Vector<Self, D>, b: &Vector<Self, D>) -> Self::Product;
-    /// The length by which [`component`](Self::component) and [`along`](Self::along) divide: |r| or a part of it.
-    fn direction_norm<const D: usize>(r: &Vector<Self, D>) -> Self;
-    /// The component of v along r, (r·v)/|r|, with the sign of r·v; `length` is `direction_norm(r)`.
+    /// The component of v along r, (r·v)/|r|, with the sign of r·v; `length` is |r|, rounded.
     ///
     /// Without a trend: beside a power of two a square root is always rounded one way. Unit vectors made by it
     /// are too long on average, and the energy of an elastic gas would rise with every collision.
     fn component<const D: usize>(r: &Vector<Self, D>, v: &Vector<Self, D>, length: Self) -> Self;
-    /// The vector of magnitude x along r; `length` is `direction_norm(r)`. Without a trend, too.
+    /// The vector of magnitude x along r; `length` is |r|, rounded. Without a trend, too.
     fn along<const D: usize>(r: &Vector<Self, D>, x: Self, length: Self) -> Vector<Self, D>;
     /// Whether a part of a vector is below a hundredth of it.
     fn is_negligible<const D: usize>(part: &Vector<Self, D>, of: &Vector<Self, D>) -> bool;
