@@ -51,6 +51,10 @@ impl<S: Scalar, R: Rule<S>> Rule<S> for Central<R> {
         Answer { response, ..answer }
     }
 
+    fn adds_energy(&self) -> bool {
+        self.0.adds_energy()
+    }
+
     fn check(&self) -> Result<(), Error> {
         self.0.check()
     }

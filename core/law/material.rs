@@ -63,6 +63,10 @@ impl<S: Scalar, R: Rule<S>, const M: usize> Rule<S> for ByMaterial<R, M> {
         }
     }
 
+    fn adds_energy(&self) -> bool {
+        self.0.iter().flatten().any(Rule::adds_energy)
+    }
+
     fn check(&self) -> Result<(), Error> {
         if M == 0 {
             return Err(Error::input(Subject::Rule, "materials", 0.0, "at least 1"));

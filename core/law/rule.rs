@@ -99,6 +99,11 @@ pub trait Rule<S: Scalar> {
     /// What these two do. Called once for each contact.
     fn collide(&self, impact: &Impact<S>) -> Answer<S>;
 
+    /// Whether grains may part faster than they met. A restitution above 1 is refused unless this says so.
+    fn adds_energy(&self) -> bool {
+        false
+    }
+
     /// Whether the rule's parameters make sense; asked once, when a world starts.
     ///
     /// # Errors
@@ -111,6 +116,9 @@ pub trait Rule<S: Scalar> {
 impl<S: Scalar, R: Rule<S> + ?Sized> Rule<S> for &R {
     fn collide(&self, impact: &Impact<S>) -> Answer<S> {
         (**self).collide(impact)
+    }
+    fn adds_energy(&self) -> bool {
+        (**self).adds_energy()
     }
     fn check(&self) -> Result<(), Error> {
         (**self).check()

@@ -79,6 +79,11 @@ macro_rules! float {
             fn is_finite(self) -> bool {
                 <$t>::is_finite(self)
             }
+            fn has_square(self) -> bool {
+                // A factor is left for sums over the axes, and for the least that a difference can be.
+                let square = self * self;
+                square <= <$t>::MAX / 256.0 && square * <$t>::EPSILON >= <$t>::MIN_POSITIVE
+            }
         }
 
         impl Rounding for $t {

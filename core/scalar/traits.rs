@@ -62,6 +62,10 @@ pub trait Range: Copy {
     fn in_range(self) -> bool {
         self.is_finite()
     }
+    /// Whether the square of this, and what rounding leaves of it, are numbers again.
+    fn has_square(self) -> bool {
+        true
+    }
     /// After which time a body of this speed and acceleration may have left the range; none if it cannot.
     #[must_use]
     fn time_in_range(_speed: Self, _acceleration: Self) -> Option<Self> {

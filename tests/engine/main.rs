@@ -13,6 +13,7 @@ mod plates;
 mod range;
 mod rest;
 mod robustness;
+mod scales;
 mod serialised;
 mod snapshot;
 mod symmetry;
