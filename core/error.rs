@@ -77,7 +77,8 @@ pub enum Error {
         /// What would be right.
         wanted: &'static str,
     },
-    /// Too many events at one instant: a collapse the rule does not resolve.
+    /// Too many events at one instant, 4,096 or more for each grain that has contacts there: a collapse the rule does
+    /// not resolve.
     Stuck {
         /// The grain of the last event.
         grain: usize,

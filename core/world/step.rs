@@ -12,7 +12,7 @@ use crate::resolve::{self, Context, Effects, EventOutcome};
 use crate::scalar::{Instant, Scalar};
 use crate::schedule::first_of_instant;
 
-/// Events that a grain can have at one instant, on average, before the world is called stuck.
+/// Events that the grains concerned can have at one instant, on average, before they are called stuck.
 const EVENTS_AT_ONCE: u32 = 4096;
 
 impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
@@ -84,21 +84,34 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         }
     }
 
-    /// The event's time becomes the present, which never goes back; too many before time moves on
-    /// visibly, by 2^−48 of the world's age, are an error.
+    /// The event's time becomes the present, which never goes back. It must move on visibly, by 2^−48 of the world's
+    /// age, before the grains concerned have too many events.
     fn move_clock(&mut self, grain: usize, event: &ScheduledEvent<S>) -> Result<(), Error> {
         self.clock.move_to(event.time);
-        self.progress.at_once = self.progress.at_once.saturating_add(1);
-        let grains = u32::try_from(self.particles.bodies.len()).unwrap_or(u32::MAX);
-        if self.progress.at_once <= EVENTS_AT_ONCE.saturating_mul(grains) {
+        let events = self.progress.at_once.saturating_add(1);
+        self.progress.at_once = events;
+        // Seldom, as all bodies are read.
+        let looks = events >= EVENTS_AT_ONCE && (events.is_power_of_two() || events == u32::MAX);
+        if !looks {
             return Ok(());
         }
-        let (at, events) = (self.now(), self.progress.at_once);
-        if !at.is_visibly_after(self.clock.instant_of(self.clock.last_visible)) {
+        let at = self.now();
+        if at.is_visibly_after(self.clock.instant_of(self.clock.last_visible)) {
+            (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
+            return Ok(());
+        }
+        let a_grain = events / EVENTS_AT_ONCE;
+        if events == u32::MAX || self.touched_lately() <= a_grain as usize {
             return Err(Error::Stuck { grain, with: event.with(), at, events });
         }
-        (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
         Ok(())
+    }
+
+    /// How many grains had a contact since time was last seen to move on. A jam is noticed by those in it.
+    fn touched_lately(&self) -> usize {
+        let since = self.clock.last_visible;
+        let bodies = self.particles.bodies.iter();
+        bodies.filter(|body| body.in_contact() || body.last_collision() >= since).count()
     }
 
     /// What the event does to the bodies, and what it leaves to be done.

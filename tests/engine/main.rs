@@ -12,6 +12,7 @@ mod piles;
 mod plates;
 mod range;
 mod rest;
+mod restored;
 mod robustness;
 mod scales;
 mod serialised;

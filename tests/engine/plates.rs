@@ -3,7 +3,7 @@
 use carom::law::{Answer, Impact, Rule};
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft};
 use carom::space::{Plane, Surface, Vibration};
-use carom::{Error, Grain, Memory, World};
+use carom::{Error, Grain, HeapMemory, Memory, World};
 use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -191,27 +191,46 @@ proptest! {
     }
 }
 
+/// A grain of radius 1/2 between two plates that close in on it, among small ones that have room: how that ends.
+fn crush(restitution: f64, others: usize) -> Option<Error> {
+    let mut memory = HeapMemory::<f64, 2>::with_capacity(others + 1);
+    let hard = Surface::Hard(restitution);
+    let mut world = World::builder(&mut memory)
+        .plane(Plane::new([1.0, 0.0], 0.0, hard).vibrating(Vibration::new(0.5, 1.0)))
+        .plane(Plane::new([-1.0, 0.0], -1.25, hard))
+        .rule(HardSphere { restitution })
+        .grain(Grain::with_mass(0.5, 1.0).at([0.6, 0.0]).moving([0.1, 0.0]))
+        .unwrap()
+        .grains((0..others).map(|k| Grain::with_mass(0.01, 1.0).at([0.6, 1.0 + k as f64])))
+        .unwrap()
+        .start()
+        .unwrap();
+    (0..1_000_000).find_map(|_| world.step().err())
+}
+
 /// A grain between two plates that close in on it has nowhere to go: the loop must say so, and whom
 /// and when, in a bounded number of events. (Without any loss it takes 1/gap events to get so far.)
 #[test]
 fn a_crushed_grain_is_an_error_that_names_it() {
     for restitution in [0.0, 0.5, 0.99] {
-        let mut memory = Memory::<f64, 1, 1>::new();
-        let hard = Surface::Hard(restitution);
-        let mut world = World::builder(&mut memory)
-            .plane(Plane::new([1.0], 0.0, hard).vibrating(Vibration::new(0.5, 1.0)))
-            .plane(Plane::new([-1.0], -1.25, hard))
-            .rule(HardSphere { restitution })
-            .grain(Grain::with_mass(0.5, 1.0).at([0.6]).moving([0.1]))
-            .unwrap()
-            .start()
-            .unwrap();
-        let error = (0..1_000_000).find_map(|_| world.step().err());
+        let error = crush(restitution, 0);
         let Some(Error::Stuck { grain: 0, at, .. }) = error else {
-            panic!("{restitution}: {error:?} {:?}", world.statistics())
+            panic!("{restitution}: {error:?}")
         };
         // The gap is the grain's diameter when sin(2πt) = 1/2.
         assert!((at.as_f64() - 1.0 / 12.0).abs() < 1e-3, "{restitution}: {at}");
+    }
+}
+
+/// How soon a jam is noticed is a matter of those in it.
+#[test]
+fn a_jam_is_noticed_no_later_among_many() {
+    for others in [0, 10, 1000] {
+        let error = crush(0.5, others);
+        let Some(Error::Stuck { grain: 0, events, .. }) = error else {
+            panic!("{others}: {error:?}")
+        };
+        assert!(events <= 8192, "{others}: {events} events");
     }
 }
 
