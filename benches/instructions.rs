@@ -1,4 +1,4 @@
-//! How many instructions does a collision cost? Runs the cases of `carom bench` under callgrind; writes a table.
+//! How many instructions does a collision cost? Runs the cases of `carom bench` under callgrind; writes the table of docs/guide/speed.md.
 //!
 //! Instructions do not depend on what else the machine does. Needs `valgrind`; the cases of more than
 //! 20,000 grains are run if they are named: `cargo bench --bench instructions -- hs3d-108000`.
@@ -45,10 +45,10 @@ fn table(names: &[&String]) -> Outcome<()> {
         names.iter().flat_map(|name| bench::named(name)).collect()
     };
     let folder = tempfile::tempdir()?;
-    println!("{:<22}{:>9}{:>26}", "case", "N", "instructions/collision");
+    println!("| case | N | instructions per collision |\n|---|---|---|");
     for case in cases {
         let count = count(&case, folder.path())?;
-        println!("{:<22}{:>9}{:>26}", case.name, case.count, count / COLLISIONS);
+        println!("| {} | {} | {} |", case.name, case.count, count / COLLISIONS);
     }
     Ok(())
 }

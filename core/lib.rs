@@ -76,8 +76,21 @@ pub mod space;
 pub mod world;
 
 pub use error::Error;
+/// The crate of [`scalar::Vector`]: positions and velocities are `nalgebra::SVector<S, D>`. For `f32` and `f64` they
+/// have all its methods (`norm`, `dot`, `normalize`, ...); for every scalar there are [`scalar::norm`] and
+/// [`scalar::dot`].
+///
+/// ```
+/// use carom::{Grain, nalgebra::Vector2};
+/// let grain = Grain::sphere(1.0e-3, 2500.0).at([0.0, 0.02]).moving([3.0, 4.0]);
+/// assert_eq!(grain.velocity.norm(), 5.0);
+/// assert_eq!(grain.velocity.dot(&Vector2::y()), 4.0);
+/// let [x, y] = grain.position.into();
+/// assert_eq!((x, y), (grain.position.x, grain.position.y));
+/// ```
+pub use nalgebra;
 pub use particle::Grain;
-pub use scalar::{Instant, Scalar};
+pub use scalar::{Instant, Scalar, Vector};
 #[cfg(feature = "alloc")]
 pub use world::HeapMemory;
 pub use world::{Memory, Observer, Release, Statistics, Storage, View, World};

@@ -27,4 +27,5 @@ pub(crate) use lanes::{LANES, Lanes};
 pub use traits::{
     Comparison, Elementary, Products, Range, Rounding, Scalar, Timekeeping, Vector, WideProduct,
 };
-pub(crate) use vector::{all_finite, component, dot, max_abs, norm, reject, vector};
+pub(crate) use vector::{all_finite, component, max_abs, reject, vector};
+pub use vector::{dot, norm};

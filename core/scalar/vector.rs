@@ -19,13 +19,28 @@ pub fn component<S: Scalar, const D: usize>(v: &Vector<S, D>, axis: usize) -> S 
     column.get(axis).copied().unwrap_or(S::zero())
 }
 
-/// The scalar product.
+/// The scalar product of two vectors, rounded once in fixed point.
+///
+/// # Units
+/// The product of theirs.
+#[must_use]
 #[inline]
 pub fn dot<S: Scalar, const D: usize>(a: &Vector<S, D>, b: &Vector<S, D>) -> S {
     S::dot(a, b).rounded()
 }
 
-/// The length of a vector.
+/// The length of a vector. In fixed point, too, its square does not overflow.
+///
+/// # Units
+/// Those of its components.
+///
+/// ```
+/// use carom::{Grain, scalar::{dot, norm}};
+/// let grain = Grain::with_mass(0.5_f32, 1.0).moving([2.0, 3.0, 6.0]);
+/// assert_eq!(norm(&grain.velocity), 7.0);
+/// assert_eq!(dot(&grain.velocity, &grain.velocity), 49.0);
+/// ```
+#[must_use]
 #[inline]
 pub fn norm<S: Scalar, const D: usize>(v: &Vector<S, D>) -> S {
     S::dot(v, v).sqrt()

@@ -1,4 +1,4 @@
-//! Do the pages in docs/ say what the program says? Reads README.md and docs/; writes nothing, makes the quick pages and tables again.
+//! Do the pages in docs/ say what the program says? Reads README.md, tables/README.md and docs/; writes nothing, makes the quick pages and tables again.
 
 use carom_host::figure;
 use std::fs;
@@ -100,7 +100,8 @@ fn block(part: &str) -> Option<(&str, &str)> {
 #[test]
 fn tables_between_marks_are_what_the_program_prints() {
     let mut found = Vec::new();
-    let all = pages(&root().join("docs")).into_iter().chain([root().join("README.md")]);
+    let others = ["README.md", "tables/README.md"].map(|name| root().join(name));
+    let all = pages(&root().join("docs")).into_iter().chain(others);
     for path in all {
         let text = fs::read_to_string(&path).unwrap();
         let name = path.strip_prefix(root()).unwrap().display().to_string();

@@ -1,4 +1,5 @@
-//! Do cargo features only add? Builds two small crates alone and in one workspace; compares what they print.
+//! Do cargo features only add? Builds two small crates alone and in one workspace, and carom with each feature and without it;
+//! compares what they print.
 
 use std::fs;
 use std::path::Path;
@@ -101,4 +102,25 @@ fn a_feature_switched_on_elsewhere_changes_nothing() {
     });
     assert_eq!(alone, together);
     assert!(alone[0].len() > 20 && alone[0] != alone[1]);
+}
+
+const FEATURES: [&str; 9] =
+    ["standard", "compact", "wide", "f64-tables", "alloc", "fixed", "micromath", "serde", "defmt"];
+
+/// No combination is forbidden: carom compiles without features, with each alone, with all, and with all but each.
+#[test]
+#[ignore = "checks carom twenty times"]
+fn every_feature_compiles_alone_and_none_is_needed_by_the_others() {
+    let without =
+        |one: &str| FEATURES.into_iter().filter(|&other| other != one).collect::<Vec<_>>().join(",");
+    let mut sets = vec![String::new(), FEATURES.join(",")];
+    sets.extend(FEATURES.iter().flat_map(|one| [one.to_string(), without(one)]));
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("features");
+    fs::create_dir_all(&folder).unwrap();
+    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
+    for features in sets {
+        let arguments = ["check", "--quiet", "--lib", "--no-default-features", "--features"];
+        let more = [&features[..], "--manifest-path", manifest, "--package", "carom"];
+        cargo(&folder, &[&arguments[..], &more[..]].concat());
+    }
 }

@@ -13,6 +13,9 @@ pub struct Options {
     /// Print `[{"case", "n", "collisions_per_s", "bytes_per_grain", "events", "seconds"}]`.
     #[arg(long)]
     json: bool,
+    /// Print the table in docs/guide/speed.md.
+    #[arg(long, conflicts_with = "json")]
+    markdown: bool,
 }
 
 /// Runs the cases on one core.
@@ -26,6 +29,9 @@ pub fn run(options: &Options) -> Result<()> {
         let rows = cases.iter().map(bench::measure).collect::<Result<Vec<Row>>>()?;
         return Ok(writeln!(out, "{}", serde_json::to_string_pretty(&rows)?)?);
     }
+    if options.markdown {
+        return markdown(&mut out, &cases);
+    }
     writeln!(
         out,
         "{:<20}{:>9}{:>14}{:>12}{:>16}  others (collisions/s)",
@@ -33,6 +39,20 @@ pub fn run(options: &Options) -> Result<()> {
     )?;
     for case in &cases {
         line(&mut out, case, &bench::measure(case)?)?;
+        out.flush()?;
+    }
+    Ok(())
+}
+
+/// Thousands of collisions a second, beside what others have published.
+fn markdown(out: &mut impl Write, cases: &[Case]) -> Result<()> {
+    writeln!(out, "| case | collisions/s | bytes a grain | published |\n|---|---|---|---|")?;
+    for case in cases {
+        let Row { collisions_per_s, bytes_per_grain, .. } = bench::measure(case)?;
+        let others = case.others.iter().map(|(who, rate)| format!("{who} {:.0} k", rate / 1e3));
+        let (name, rate) = (case.name, collisions_per_s / 1e3);
+        let others = others.collect::<Vec<_>>().join(", ");
+        writeln!(out, "| {name} | {rate:.0} k | {bytes_per_grain:.0} | {others} |")?;
         out.flush()?;
     }
     Ok(())

@@ -17,6 +17,9 @@ pub struct FluidOptions {
     /// Print the results as JSON.
     #[arg(long)]
     json: bool,
+    /// Print the table in docs/figures/README.md.
+    #[arg(long, conflicts_with = "json")]
+    markdown: bool,
     /// Seed of the velocities.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -54,7 +57,22 @@ pub fn fluid(options: &FluidOptions) -> Result<()> {
     if options.json {
         return Ok(writeln!(out, "{}", serde_json::to_string_pretty(&rows)?)?);
     }
-    print(&mut out, &rows)
+    if options.markdown { markdown(&mut out, &rows) } else { print(&mut out, &rows) }
+}
+
+fn markdown(out: &mut impl Write, rows: &[Row]) -> Result<()> {
+    writeln!(out, "| system | quantity | measured | published | difference | source |")?;
+    writeln!(out, "|---|---|---|---|---|---|")?;
+    for row in rows {
+        let Row { system, quantity, measured, standard_error, published, source, .. } = row;
+        let difference = 100.0 * row.relative_difference;
+        let found = format!("{measured:.5} ± {standard_error:.5}");
+        writeln!(
+            out,
+            "| {system} | {quantity} | {found} | {published:.5} | {difference:+.2} % | {source} |"
+        )?;
+    }
+    Ok(())
 }
 
 fn spheres(
