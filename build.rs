@@ -28,9 +28,9 @@ fn module(module: &str, recipe: fn(Law) -> Recipe) -> Result<String, Box<dyn Err
         for (law, name) in
             [(Law::LinearDashpot, "LINEAR_DASHPOT"), (Law::Viscoelastic, "VISCOELASTIC")]
         {
-            // A wide table has numbers too large to be quantised.
+            // Wide and fine tables have numbers too large to be quantised.
             let is_quantised = !matches!(number, NumberType::F32 | NumberType::F64);
-            if !(is_quantised && module == "wide") {
+            if !(is_quantised && ["wide", "fine"].contains(&module)) {
                 text += &recipe(law).number_type(number).emit(&format!("{name}{ending}"))?;
             }
         }
@@ -49,6 +49,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if enabled("WIDE") {
         text += &module("wide", Recipe::wide)?;
+    }
+    if enabled("FINE") {
+        text += &module("fine", Recipe::fine)?;
     }
     let out = std::env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: run this through cargo")?;
     Ok(std::fs::write(PathBuf::from(out).join("tables.rs"), text)?)

@@ -18,11 +18,13 @@ pub enum Size {
     Standard,
     /// The whole of MP13's Tables I and II.
     Wide,
+    /// The same, ten times as exact.
+    Fine,
 }
 
 impl Size {
     /// All of them, smallest first.
-    pub const ALL: [Self; 3] = [Self::Compact, Self::Standard, Self::Wide];
+    pub const ALL: [Self; 4] = [Self::Compact, Self::Standard, Self::Wide, Self::Fine];
 
     /// As it is written on the command line.
     pub const fn name(self) -> &'static str {
@@ -30,6 +32,7 @@ impl Size {
             Self::Compact => "compact",
             Self::Standard => "standard",
             Self::Wide => "wide",
+            Self::Fine => "fine",
         }
     }
 }
@@ -43,6 +46,8 @@ pub fn embedded(size: Size, law: Law) -> &'static Table<f32> {
         (Size::Standard, Law::Viscoelastic) => &embedded::standard::VISCOELASTIC,
         (Size::Wide, Law::LinearDashpot) => &embedded::wide::LINEAR_DASHPOT,
         (Size::Wide, Law::Viscoelastic) => &embedded::wide::VISCOELASTIC,
+        (Size::Fine, Law::LinearDashpot) => &embedded::fine::LINEAR_DASHPOT,
+        (Size::Fine, Law::Viscoelastic) => &embedded::fine::VISCOELASTIC,
     }
 }
 
@@ -77,6 +82,7 @@ impl Generated {
             Size::Compact => Recipe::compact,
             Size::Standard => Recipe::standard,
             Size::Wide => Recipe::wide,
+            Size::Fine => Recipe::fine,
         };
         let make = |law: &Law| {
             let made = recipe(*law).end(end).generate();

@@ -1,6 +1,6 @@
 //! Do the certificates hold? Makes carom's tables, tests each at fresh random points (100,000 unless said), prints a table.
 //!
-//! `cargo run --release -p carom-tables --example certify [compact|standard|wide|all|wideViscoelastic|…] [points]`
+//! `cargo run --release -p carom-tables --example certify [compact|standard|wide|fine|all|wideViscoelastic|…] [points]`
 
 use std::time::Instant;
 
@@ -25,6 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             ("compact", Recipe::compact(law)),
             ("standard", Recipe::standard(law)),
             ("wide", Recipe::wide(law)),
+            ("fine", Recipe::fine(law)),
         ];
         for (name, recipe) in recipes {
             let asked =
@@ -53,7 +54,12 @@ fn bisections() -> Result<(), Box<dyn std::error::Error>> {
         "//! An unoptimised build script has no time for the search; the table that a kept bisection gives is certified all the same."
     );
     for (law, suffix) in [(Law::LinearDashpot, "LINEAR"), (Law::Viscoelastic, "VISCOELASTIC")] {
-        for (name, recipe) in [("STANDARD", Recipe::standard(law)), ("WIDE", Recipe::wide(law))] {
+        let recipes = [
+            ("STANDARD", Recipe::standard(law)),
+            ("WIDE", Recipe::wide(law)),
+            ("FINE", Recipe::fine(law)),
+        ];
+        for (name, recipe) in recipes {
             let table = recipe.search().points(100).generate::<f32>()?;
             println!("\npub(super) const {name}_{suffix}: &str = \"\\");
             let bisection = table.bisection().as_bytes();

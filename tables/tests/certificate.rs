@@ -65,16 +65,19 @@ fn compact_and_standard_keep_their_budgets() {
 
 #[test]
 #[ignore = "seconds in release: cargo test --release -p carom-tables -- --ignored"]
-fn wide_certificates_hold_over_the_tables_of_mp13() {
+fn wide_and_fine_certificates_hold_over_the_tables_of_mp13() {
     for law in LAWS {
-        let table = Recipe::wide(law).generate::<f32>().unwrap();
-        let c = &table.certificate;
-        assert!(c.bytes <= 96 * 1024, "{} bytes", c.bytes);
-        assert!(worst(&c.typical) < 1e-2 && worst(&c.quantile_999) < 1e-3, "{c:?}");
-        let mut rng = Rng::new(0x1234);
-        for _ in 0..20_000 {
-            let g = draw_from_mp13(law, &mut rng);
-            assert!(holds(&table, &g, End::Force).is_some(), "{g:?} is outside");
+        let sizes = [(Recipe::wide(law), 96, 1e-2, 1e-3), (Recipe::fine(law), 256, 1e-3, 1e-4)];
+        for (recipe, kib, typical, most) in sizes {
+            let table = recipe.generate::<f32>().unwrap();
+            let c = &table.certificate;
+            assert!(c.bytes <= kib * 1024, "{} bytes", c.bytes);
+            assert!(worst(&c.typical) < typical && worst(&c.quantile_999) < most, "{c:?}");
+            let mut rng = Rng::new(0x1234);
+            for _ in 0..20_000 {
+                let g = draw_from_mp13(law, &mut rng);
+                assert!(holds(&table, &g, End::Force).is_some(), "{g:?} is outside");
+            }
         }
     }
 }
@@ -116,7 +119,7 @@ const COMPACT_VISCOELASTIC: u64 = 0x2b4e_c100_1173_4c0a;
 #[ignore = "searches: cargo test --release -p carom-tables -- --ignored"]
 fn kept_bisections_are_what_a_search_finds() {
     for law in LAWS {
-        for recipe in [Recipe::standard(law), Recipe::wide(law)] {
+        for recipe in [Recipe::standard(law), Recipe::wide(law), Recipe::fine(law)] {
             let recipe = recipe.points(100);
             let kept = recipe.generate::<f32>().unwrap();
             let found = recipe.search().generate::<f32>().unwrap();

@@ -104,15 +104,26 @@ fn a_feature_switched_on_elsewhere_changes_nothing() {
     assert!(alone[0].len() > 20 && alone[0] != alone[1]);
 }
 
-const FEATURES: [&str; 9] =
-    ["standard", "compact", "wide", "f64-tables", "alloc", "fixed", "micromath", "serde", "defmt"];
+const FEATURES: [&str; 10] = [
+    "standard",
+    "compact",
+    "wide",
+    "fine",
+    "f64-tables",
+    "alloc",
+    "fixed",
+    "micromath",
+    "serde",
+    "defmt",
+];
 
 /// No combination is forbidden: carom compiles without features, with each alone, with all, and with all but each.
 #[test]
-#[ignore = "checks carom twenty times"]
+#[ignore = "checks carom two dozen times"]
 fn every_feature_compiles_alone_and_none_is_needed_by_the_others() {
-    let without =
-        |one: &str| FEATURES.into_iter().filter(|&other| other != one).collect::<Vec<_>>().join(",");
+    let without = |one: &str| {
+        FEATURES.into_iter().filter(|&other| other != one).collect::<Vec<_>>().join(",")
+    };
     let mut sets = vec![String::new(), FEATURES.join(",")];
     sets.extend(FEATURES.iter().flat_map(|one| [one.to_string(), without(one)]));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("features");

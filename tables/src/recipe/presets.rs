@@ -67,6 +67,18 @@ impl Recipe {
             ..Self::standard(law)
         }
     }
+
+    /// As [`wide`](Self::wide), where 99.9 % of the collisions are within 1e-4 (linear, 256 KiB) or 3e-5
+    /// (viscoelastic, 60 KB): for hosts, not for firmware.
+    #[must_use]
+    pub fn fine(law: Law) -> Self {
+        let (tolerance, terms_max, bisection) = match law {
+            Law::LinearDashpot => (1.1e-4, 800, bisections::FINE_LINEAR),
+            Law::Viscoelastic => (1e-5, 600, bisections::FINE_VISCOELASTIC),
+        };
+        let wide = Self::wide(law).tolerance(tolerance);
+        Recipe { terms_max, bisection: Some(bisection), ..wide }
+    }
 }
 
 /// The groups that MP13's Table I or II can give.
