@@ -209,3 +209,20 @@ fn fall_asleep<S: Scalar, const D: usize>(
     context.replace(x, at_rest);
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A hop with speed v under weight g is v²/(2g) high and lasts 2v/g.
+    #[test]
+    fn a_hop_is_none_if_it_is_too_low_or_too_short() {
+        let (g, height, duration) = (9.81_f64, 0.3, 0.7);
+        let (low, short) = (libm::sqrt(2.0 * g * height), 0.5 * g * duration);
+        assert!(is_rest(0.999 * low, g, height, 0.0) && !is_rest(1.001 * low, g, height, 0.0));
+        assert!(is_rest(0.999 * short, g, 0.0, duration));
+        assert!(!is_rest(1.001 * short, g, 0.0, duration));
+        // Nothing presses it onto anything.
+        assert!(!is_rest(0.0, 0.0, height, duration) && !is_rest(0.0, -g, height, duration));
+    }
+}

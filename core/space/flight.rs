@@ -17,14 +17,19 @@ pub fn acceleration<S: Scalar, const D: usize>(
     if body.is_asleep() {
         return Vector::zeros();
     }
-    let mut left = *domain.gravity();
-    // A second round is for planes that are not at right angles.
+    let (mut left, mut taken) = (*domain.gravity(), [S::zero(); u8::BITS as usize]);
+    // A second round is for planes that are not quite at right angles: there a plane gives back what it
+    // has taken too much.
     for _ in 0..2 {
-        for (p, plane) in domain.boundary.planes().iter().enumerate() {
-            let pushed = dot(&plane.normal, &left);
-            if body.rests_on(p) && (pushed < S::zero() || plane.vibration.is_some()) {
-                left -= plane.normal * pushed;
+        let planes = domain.boundary.planes().iter().enumerate();
+        for ((p, plane), taken) in planes.zip(&mut taken) {
+            if !body.rests_on(p) {
+                continue;
             }
+            let pushed = dot(&plane.normal, &left);
+            let takes = if plane.vibration.is_some() { pushed } else { pushed.min(*taken) };
+            left -= plane.normal * takes;
+            *taken -= takes;
         }
     }
     left

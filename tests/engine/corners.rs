@@ -1,4 +1,4 @@
-//! Do grains rest right where several planes intersect? Reads grooves, corners and plates; compares energies and gaps.
+//! Do grains rest right where several planes intersect? Reads grooves, troughs, corners and plates; compares energies and gaps.
 
 use carom::law::HardSphere;
 use carom::space::{Plane, Surface, Vibration};
@@ -106,5 +106,37 @@ fn a_snapshot_keeps_the_phase_of_its_plates() {
         assert_eq!(world.digest(), other.digest());
         world.step().unwrap();
         other.step().unwrap();
+    }
+}
+
+/// A trough along z whose sides are square but for 9e-7, which counts as square: a grain that slides along it
+/// goes z = g_z t²/2 and stays at its radius from both sides.
+#[test]
+fn a_grain_slides_along_an_almost_square_trough_and_keeps_to_both_sides() {
+    for lean in [0.0, -9e-7, 9e-7_f64] {
+        let sides = [[1.0, 0.0, 0.0], [lean, (1.0 - lean * lean).sqrt(), 0.0]];
+        let [a, b] = sides.map(|n| Plane::new(n, 0.0, Surface::Hard(0.0)));
+        // Both touch: x = R, and n₂ · r = R.
+        let y = (1.0 - lean) / sides[1][1];
+        let mut memory = Memory::<f64, 3, 1>::new();
+        let mut world = World::builder(&mut memory)
+            .gravity([-6.0, -8.0, 3.0])
+            .plane(a)
+            .plane(b)
+            .rule(HardSphere { restitution: 0.0 })
+            .grain(Grain::with_mass(1.0, 1.0).at([1.0, y, 0.0]))
+            .unwrap()
+            .start()
+            .unwrap();
+        for t in [1.0, 3.0, 10.0] {
+            world.advance_to(t).unwrap();
+            let r = world.grain(0).unwrap().position;
+            for n in sides {
+                let distance = r[0] * n[0] + r[1] * n[1] + r[2] * n[2];
+                assert!((distance - 1.0).abs() < 1e-12, "{lean} {t}: {distance} from {n:?}");
+            }
+            assert!((r[2] - 1.5 * t * t).abs() < 1e-12 * t * t, "{lean} {t}: {r:?}");
+        }
+        assert_eq!(world.statistics().rests, 2, "{lean}: {:?}", world.statistics());
     }
 }

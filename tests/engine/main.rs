@@ -1,12 +1,15 @@
 //! Does the engine keep what it promises? Conservation, symmetry, time, errors and snapshots, for all inputs.
 
 mod advance;
+mod asked;
 mod conservation;
 mod contact;
 mod corners;
 mod errors;
 mod fixed;
 mod gas;
+mod gravity;
+mod interruption;
 mod neighbours;
 mod piles;
 mod plates;
@@ -16,6 +19,8 @@ mod restored;
 mod robustness;
 mod scales;
 mod serialised;
+mod simultaneous;
 mod snapshot;
 mod symmetry;
 mod time;
+mod turn;

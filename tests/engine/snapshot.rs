@@ -4,9 +4,9 @@ use crate::gas::{damped_spring, gas};
 use carom::HeapMemory;
 use carom::law::{HardSphere, Outside, Soft};
 use carom::particle::Body;
-use carom::space::{Plane, Surface};
+use carom::space::{Plane, Surface, Vibration};
 use carom::world::{ScheduledEvent, Snapshot, Statistics};
-use carom::{Memory, World};
+use carom::{Grain, Memory, World};
 
 #[test]
 fn a_snapshot_goes_on_with_the_same_bits() {
@@ -98,4 +98,33 @@ fn statistics_decide_nothing() {
         again.step().unwrap();
         assert_eq!(world.digest(), again.digest(), "after {event} events");
     }
+}
+
+/// A snapshot of a restored world is the snapshot that it was restored from, in everything: how many events
+/// there were at one instant, too, or it would notice later than the other that it is stuck.
+#[test]
+fn a_restored_world_is_stuck_when_the_other_is() {
+    let rule = HardSphere { restitution: 0.5 };
+    let mut memory = Memory::<f64, 1, 2>::new();
+    let mut world = World::builder(&mut memory)
+        .plane(Plane::new([1.0], 0.0, Surface::Hard(0.5)).vibrating(Vibration::new(0.5, 1.0)))
+        .plane(Plane::new([-1.0], -2.25, Surface::Hard(0.5)))
+        .rule(rule)
+        .grain(Grain::with_mass(0.5, 1.0).at([0.6]).moving([0.1]))
+        .unwrap()
+        .grain(Grain::with_mass(0.5, 1.0).at([1.7]).moving([-0.1]))
+        .unwrap()
+        .start()
+        .unwrap();
+    for _ in 0..3000 {
+        world.step().unwrap();
+    }
+    let saved = world.save();
+    let mut other = Memory::<f64, 1, 2>::new();
+    let mut again = World::restore(&mut other, rule, &saved).unwrap();
+    assert_eq!(again.save(), saved);
+    let ends = [&mut world, &mut again]
+        .map(|world| (0..1_000_000).map(|_| world.step()).position(|step| step.is_err()));
+    assert_eq!(ends[0], ends[1]);
+    assert!(ends[0].is_some());
 }
