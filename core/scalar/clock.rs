@@ -23,6 +23,7 @@ impl<S: Scalar> Clock<S> {
     }
 
     /// The instant that a time after the epoch is.
+    #[inline(never)]
     pub fn instant_of(&self, time: S) -> Instant {
         self.epoch + Instant::from(time)
     }

@@ -7,7 +7,7 @@ use super::view::View;
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::{Error, Subject};
 use crate::law::Rule;
-use crate::particle::Grain;
+use crate::particle::{Body, Grain};
 use crate::resolve::{self, Context, Effects, EventOutcome};
 use crate::scalar::{Instant, Scalar};
 use crate::schedule::first_of_instant;
@@ -84,34 +84,36 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         }
     }
 
-    /// The event's time becomes the present, which never goes back. It must move on visibly, by 2^−48 of the world's
-    /// age, before the grains concerned have too many events.
+    /// The event's time becomes the present, which never goes back.
     fn move_clock(&mut self, grain: usize, event: &ScheduledEvent<S>) -> Result<(), Error> {
         self.clock.move_to(event.time);
-        let events = self.progress.at_once.saturating_add(1);
-        self.progress.at_once = events;
-        // Seldom, as all bodies are read.
-        let looks = events >= EVENTS_AT_ONCE && (events.is_power_of_two() || events == u32::MAX);
-        if !looks {
+        self.progress.at_once = self.progress.at_once.saturating_add(1);
+        if self.progress.at_once < EVENTS_AT_ONCE {
             return Ok(());
         }
-        let at = self.now();
-        if at.is_visibly_after(self.clock.instant_of(self.clock.last_visible)) {
-            (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
-            return Ok(());
-        }
-        let a_grain = events / EVENTS_AT_ONCE;
-        if events == u32::MAX || self.touched_lately() <= a_grain as usize {
-            return Err(Error::Stuck { grain, with: event.with(), at, events });
-        }
-        Ok(())
+        self.look_for_jam().map_or(Ok(()), |(at, events)| {
+            Err(Error::Stuck { grain, with: event.with(), at, events })
+        })
     }
 
-    /// How many grains had a contact since time was last seen to move on. A jam is noticed by those in it.
-    fn touched_lately(&self) -> usize {
+    /// Time must move on visibly, by 2^−48 of the world's age, before the grains concerned have too many events: when
+    /// and after how many it did not. Looks seldom, as all bodies are read.
+    #[inline(never)]
+    fn look_for_jam(&mut self) -> Option<(Instant, u32)> {
+        let (at, events) = (self.now(), self.progress.at_once);
+        if !(events.is_power_of_two() || events == u32::MAX) {
+            return None;
+        }
         let since = self.clock.last_visible;
-        let bodies = self.particles.bodies.iter();
-        bodies.filter(|body| body.in_contact() || body.last_collision() >= since).count()
+        if at.is_visibly_after(self.clock.instant_of(since)) {
+            (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
+            return None;
+        }
+        // When its last collision was, or a little after its contact began.
+        let touched = |body: &&Body<S, D>| body.reference_time >= since;
+        let concerned = self.particles.bodies.iter().filter(touched).count();
+        let many = events / EVENTS_AT_ONCE;
+        (events == u32::MAX || concerned <= many as usize).then_some((at, events))
     }
 
     /// What the event does to the bodies, and what it leaves to be done.
