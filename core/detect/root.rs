@@ -127,6 +127,13 @@ mod tests {
     }
 
     #[test]
+    fn a_ball_that_turns_back_at_the_surface_is_no_event() {
+        // Gravity away from the plane: v² = 2 a gap.
+        assert_eq!(plane(0.5, -1.0, 1.0), None);
+        assert!(plane(0.5, -1.001, 1.0).is_some());
+    }
+
+    #[test]
     fn leaving_is_found_on_both_sides() {
         assert_eq!(leaving(2.0, 1.0, 0.0), Some(2.0));
         assert_eq!(leaving(2.0, -1.0, 0.0), Some(2.0));

@@ -10,6 +10,7 @@ mod fixed;
 mod gas;
 mod gravity;
 mod interruption;
+mod landing;
 mod neighbours;
 mod piles;
 mod plates;

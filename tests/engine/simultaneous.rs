@@ -1,6 +1,8 @@
 //! Which of several collisions at one instant comes first? Rows of grains that all touch at once; compares LRV.
 
-use carom::law::HardSphere;
+use carom::law::{Answer, HardSphere, Impact, Outcome, Response, Rule};
+use carom::space::{Plane, Surface};
+use carom::world::EventKind;
 use carom::{Grain, Memory, World};
 
 /// The two that collide first of a row of grains with these velocities, all of which touch at t = 1.
@@ -29,4 +31,96 @@ fn of_simultaneous_collisions_the_fastest_comes_first() {
     assert_eq!(first([2.0, 1.0, -1.0, -2.0]), [1, 2]);
     assert_eq!(first([1.0, 0.5, -0.5, -3.0]), [2, 3]);
     assert_eq!(first([3.0, 0.5, -0.5, -1.0]), [0, 1]);
+}
+
+/// A grain that touches a wall and a neighbour at one instant: the wall first if it is hit faster.
+#[test]
+fn a_wall_is_hit_first_if_it_is_hit_fastest() {
+    for (velocities, wall_first) in [([-3.0, -4.0], true), ([-1.0, -4.0], false)] {
+        let [v, w] = velocities;
+        let mut memory = Memory::<f64, 1, 2>::new();
+        let mut world = World::builder(&mut memory)
+            .plane(Plane::new([1.0], 0.0, Surface::Hard(0.5)))
+            .rule(HardSphere { restitution: 0.5 })
+            .grain(Grain::with_mass(0.5, 1.0).at([0.5 - v]).moving([v]))
+            .unwrap()
+            .grain(Grain::with_mass(0.5, 1.0).at([1.5 - w]).moving([w]))
+            .unwrap()
+            .start()
+            .unwrap();
+        let event = world.step().unwrap().unwrap();
+        assert_eq!(event.at.as_f64(), 1.0);
+        assert_eq!(event.partner.as_plane().is_some(), wall_first, "{velocities:?}");
+    }
+}
+
+/// Grains that hit a wall at one instant, each by itself: the fastest first, of equals the lowest number.
+#[test]
+fn grains_that_hit_a_wall_at_one_instant_do_so_by_speed_then_by_number() {
+    let order = |speeds: &[f64]| -> Vec<usize> {
+        let mut memory = Memory::<f64, 2, 8>::new();
+        let at = |(i, v): (u32, &f64)| {
+            Grain::with_mass(0.5, 1.0).at([f64::from(2 * i), 0.5 + v]).moving([0.0, -v])
+        };
+        let mut world = World::builder(&mut memory)
+            .plane(Plane::new([0.0, 1.0], 0.0, Surface::Hard(1.0)))
+            .rule(HardSphere { restitution: 1.0 })
+            .grains((0..).zip(speeds).map(at))
+            .unwrap()
+            .start()
+            .unwrap();
+        let mut next = || loop {
+            let event = world.step().unwrap().unwrap();
+            if event.kind == EventKind::Collision {
+                assert_eq!(event.at.as_f64(), 1.0);
+                return event.grain;
+            }
+        };
+        speeds.iter().map(|_| next()).collect()
+    };
+    assert_eq!(order(&[1.0, 2.0]), [1, 0]);
+    assert_eq!(order(&[1.0, 4.0, 2.0, 8.0, 0.5]), [3, 1, 2, 0, 4]);
+    for n in 2..=8 {
+        assert_eq!(order(&[1.0; 8][..n]), (0..n).collect::<Vec<_>>());
+    }
+}
+
+/// A contact of half a unit of time, as elastic as can be.
+struct Half;
+
+impl Rule<f64> for Half {
+    fn collide(&self, _: &Impact<f64>) -> Answer<f64> {
+        let (restitution, separation) = (1.0, 1.0);
+        let outcome = Outcome { duration: 0.5, restitution, separation, angle: 0.0 };
+        Answer::exact(Response::Lasting(outcome))
+    }
+}
+
+/// A contact that ends at the instant at which another begins ends first, whatever the numbers.
+#[test]
+fn a_contact_ends_before_others_begin_at_that_instant() {
+    let pair = |at: f64, speed: f64| {
+        [-1.0, 1.0].map(|side| Grain::with_mass(0.5, 1.0).at([at + side]).moving([-side * speed]))
+    };
+    // A gap of 1 closes at 1.5 with speeds of 1/3 each, at 1 with 1/2.
+    for (first, second) in [(1.0 / 3.0, 0.5), (0.5, 1.0 / 3.0)] {
+        let mut memory = Memory::<f64, 1, 4>::new();
+        let mut world = World::builder(&mut memory)
+            .rule(Half)
+            .grains(pair(0.0, first).into_iter().chain(pair(64.0, second)))
+            .unwrap()
+            .start()
+            .unwrap();
+        let kinds = [(); 4].map(|()| {
+            let event = world.step().unwrap().unwrap();
+            (event.at.as_f64(), event.kind)
+        });
+        let expected = [
+            (1.0, EventKind::Collision),
+            (1.5, EventKind::ContactEnd),
+            (1.5, EventKind::Collision),
+            (2.0, EventKind::ContactEnd),
+        ];
+        assert_eq!(kinds, expected);
+    }
 }
