@@ -16,6 +16,7 @@
 //! * [`law`]: what a contact does.
 //! * `detect`: when something happens; it only reads.
 //! * `schedule`: who is next.
+//! * `cluster`: what many bodies do that touch at once.
 //! * `resolve`: what happens then; it writes.
 //! * [`world`]: the user's handle.
 //! * [`error`]: every way it can say no.
@@ -63,6 +64,7 @@
 #[cfg(test)]
 extern crate std;
 
+mod cluster;
 pub mod detect;
 pub mod error;
 pub mod law;
@@ -73,6 +75,7 @@ mod schedule;
 pub mod space;
 pub mod world;
 
+pub use cluster::Enduring;
 pub use error::Error;
 pub use particle::Grain;
 pub use scalar::{Instant, Scalar};

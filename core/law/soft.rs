@@ -1,7 +1,7 @@
 //! What does a soft contact do? The matrix of restitution of MP13 from a table; reads an impact, writes its outcome.
 
 use super::embedded::Embedded;
-use super::rule::{Answer, Impact, Response, Rule, Validity};
+use super::rule::{Answer, ContactForce, Impact, Response, Rule, Validity};
 use super::scales::{ForceLaw, LinearDashpot, Scales, Viscoelastic};
 use crate::error::Error;
 use crate::scalar::Scalar;
@@ -77,6 +77,14 @@ where
 
     fn check(&self) -> Result<(), Error> {
         self.law.check()
+    }
+
+    fn force(&self, impact: &Impact<S>, overlap: S) -> Option<ContactForce<S>> {
+        Some(self.law.force(impact, overlap))
+    }
+
+    fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
+        Some(self.law.contact_time(impact, overlap))
     }
 }
 

@@ -7,12 +7,14 @@ use super::flight;
 use super::grid::{CellFace, Grid};
 use crate::error::{Error, Subject};
 use crate::particle::{Body, Partner};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, Vector};
 
 /// All bodies, and who is near whom.
 pub(crate) struct Particles<'m, S: Scalar, const D: usize> {
     /// Each at its own clock.
     pub bodies: &'m mut [Body<S, D>],
+    /// Of clustered grains, in their last step.
+    pub accelerations: &'m mut [Vector<S, D>],
     pub cells: Cells<'m, S, D>,
     pub largest_radius: S,
     /// How many bodies something holds against gravity.
@@ -21,9 +23,13 @@ pub(crate) struct Particles<'m, S: Scalar, const D: usize> {
 
 impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
     /// These bodies, each in its cell.
-    pub fn new(bodies: &'m mut [Body<S, D>], cells: Cells<'m, S, D>) -> Self {
+    pub fn new(
+        bodies: &'m mut [Body<S, D>],
+        accelerations: &'m mut [Vector<S, D>],
+        cells: Cells<'m, S, D>,
+    ) -> Self {
         let largest_radius = largest_radius(bodies);
-        let mut all = Self { bodies, cells, largest_radius, supported: 0 };
+        let mut all = Self { bodies, accelerations, cells, largest_radius, supported: 0 };
         all.fill_cells();
         all
     }

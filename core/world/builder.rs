@@ -4,6 +4,7 @@ use super::check_input;
 use super::state::{Progress, World};
 use super::statistics::Statistics;
 use super::storage::{Buffers, Storage};
+use crate::cluster::{Clusters, Enduring, Settings};
 use crate::detect::ScheduledEvent;
 use crate::error::{Error, Subject};
 use crate::law::Rule;
@@ -28,6 +29,7 @@ pub struct WorldBuilder<'m, S: Scalar, const D: usize, R> {
     pub(super) gravity: Vector<S, D>,
     release: Release,
     t_c: S,
+    pub(super) settings: Settings<S>,
     rule: R,
     /// The first thing that was wrong; told by [`WorldBuilder::start`].
     error: Option<Error>,
@@ -45,6 +47,7 @@ impl<'m, S: Scalar, const D: usize> World<'m, S, D, NoRule> {
             gravity: Vector::zeros(),
             release: Release::default(),
             t_c: S::zero(),
+            settings: Settings::new(Enduring::default()),
             rule: NoRule,
             error: None,
         }
@@ -158,11 +161,46 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
         self
     }
 
+    /// What becomes of contacts that last or crowd: see [`Enduring`].
+    #[must_use]
+    pub fn enduring(mut self, enduring: Enduring) -> Self {
+        self.settings.enduring = enduring;
+        self
+    }
+
+    /// How long a slow contact of grains lasts whose rule has no force law. By default (R/g)^½/16, R the
+    /// smaller of the two. [`Enduring::Integrated`] only.
+    ///
+    /// # Units
+    /// Time; above zero.
+    #[must_use]
+    pub fn contact_time(mut self, time: S) -> Self {
+        if !(time > S::zero() && time.is_finite()) {
+            let wanted = "finite and above 0";
+            self.note(Err(Error::input(Subject::World, "contact time", time.to_f64(), wanted)));
+        }
+        self.settings.contact_time = Some(time);
+        self
+    }
+
+    /// In how many steps the shortest contact of a cluster is integrated: 32 by default, at least 8. The
+    /// error falls with the square of it. [`Enduring::Integrated`] only.
+    #[must_use]
+    pub fn steps_per_contact(mut self, steps: u32) -> Self {
+        if !(8..=4096).contains(&steps) {
+            let wanted = "between 8 and 4096";
+            let no = Error::input(Subject::World, "steps per contact", f64::from(steps), wanted);
+            self.note(Err(no));
+        }
+        self.settings.steps = S::from_count(steps);
+        self
+    }
+
     /// What grains do when they touch.
     #[must_use]
     pub fn rule<Q: Rule<S>>(self, rule: Q) -> WorldBuilder<'m, S, D, Q> {
-        let Self { buffers, count, boundary, gravity, release, t_c, error, .. } = self;
-        WorldBuilder { buffers, count, boundary, gravity, release, t_c, rule, error }
+        let Self { buffers, count, boundary, gravity, release, t_c, settings, error, .. } = self;
+        WorldBuilder { buffers, count, boundary, gravity, release, t_c, settings, rule, error }
     }
 
     /// One more grain.
@@ -219,11 +257,12 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         for axis in 0..D {
             boundary.periodic(axis).into_iter().for_each(|p| boundary.set_periodic(axis, p));
         }
-        let Buffers { bodies, events, tree, links, heads, .. } = self.buffers;
+        let Buffers { bodies, events, tree, links, heads, accelerations, .. } = self.buffers;
         let bodies = bodies.get_mut(..self.count).unwrap_or_default();
         let events = events.get_mut(..self.count).unwrap_or_default();
         let tree = tree.get_mut(..self.count).unwrap_or_default();
         let links = links.get_mut(..self.count).unwrap_or_default();
+        let accelerations = accelerations.get_mut(..self.count).unwrap_or_default();
         let largest_radius = largest_radius(bodies);
         check_input::space(&boundary, &self.gravity, largest_radius)?;
         for (i, body) in bodies.iter_mut().enumerate() {
@@ -234,8 +273,9 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         let reach = largest_radius + largest_radius;
         let grid = Grid::choose(&boundary, bodies, reach, heads.len());
         let min_hop_time = min_hop_time(&self.gravity, largest_radius);
+        let settings = self.settings.adopted(&self.rule, &boundary, &self.gravity, bodies);
         Ok(World {
-            particles: Particles::new(bodies, Cells::new(grid, heads, links)),
+            particles: Particles::new(bodies, accelerations, Cells::new(grid, heads, links)),
             domain: Domain::new(boundary, self.gravity),
             clock: Clock::start(),
             parameters: Parameters {
@@ -243,7 +283,10 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
                 min_hop_time,
                 release: self.release,
                 lossy_hops: false,
+                settings,
+                settled_gravity: self.gravity,
             },
+            clusters: Clusters::none(),
             queue: EventQueue::new(events, tree),
             rule: self.rule,
             statistics: Statistics::default(),

@@ -2,7 +2,7 @@
 
 use crate::detect::ScheduledEvent;
 use crate::particle::Body;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, Vector, vector};
 use crate::space::{Link, MAX_PLANES, Plane};
 
 /// What a world borrows. The shortest slice but `heads` says how many grains fit.
@@ -19,13 +19,16 @@ pub struct Buffers<'m, S: Scalar, const D: usize> {
     pub heads: &'m mut [u32],
     /// One place for each plane; eight are enough.
     pub planes: &'m mut [Plane<S, D>],
+    /// One vector for each grain: its acceleration in the last step, where contacts last or crowd.
+    pub accelerations: &'m mut [Vector<S, D>],
 }
 
 impl<S: Scalar, const D: usize> Buffers<'_, S, D> {
     /// How many grains fit.
     #[must_use]
     pub fn capacity(&self) -> usize {
-        let lengths = [self.events.len(), self.tree.len(), self.links.len()];
+        let lengths =
+            [self.events.len(), self.tree.len(), self.links.len(), self.accelerations.len()];
         lengths.into_iter().fold(self.bodies.len(), usize::min)
     }
 }
@@ -56,6 +59,7 @@ pub struct Memory<S: Scalar, const D: usize, const N: usize, const P: usize = MA
     links: [Link; N],
     heads: [u32; N],
     planes: [Plane<S, D>; P],
+    accelerations: [Vector<S, D>; N],
 }
 
 impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, P> {
@@ -85,6 +89,7 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, 
             links: [Link::VACANT; N],
             heads: [0; N],
             planes: [Plane::VACANT; P],
+            accelerations: [vector([S::ZERO; D]); N],
         }
     }
 }
@@ -107,6 +112,7 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Storage<S, D>
             links: &mut self.links,
             heads: &mut self.heads,
             planes: &mut self.planes,
+            accelerations: &mut self.accelerations,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Where does a world of any size live on a workstation? Owns vectors on the heap; the engine borrows them.
 
 use carom::particle::Body;
+use carom::scalar::Vector;
 use carom::space::{Link, MAX_PLANES, Plane, Surface};
 use carom::world::{Buffers, ScheduledEvent};
 use carom::{Scalar, Storage};
@@ -30,6 +31,7 @@ pub struct HeapMemory<S: Scalar, const D: usize> {
     links: Vec<Link>,
     heads: Vec<u32>,
     planes: Vec<Plane<S, D>>,
+    accelerations: Vec<Vector<S, D>>,
 }
 
 impl<S: Scalar, const D: usize> HeapMemory<S, D> {
@@ -43,6 +45,7 @@ impl<S: Scalar, const D: usize> HeapMemory<S, D> {
             links: vec![Link::default(); grains],
             heads: vec![0; 2 * grains],
             planes: vec![Plane::new([S::zero(); D], S::zero(), Surface::Rule); MAX_PLANES],
+            accelerations: vec![Vector::zeros(); grains],
         }
     }
 }
@@ -56,6 +59,7 @@ impl<S: Scalar, const D: usize> Storage<S, D> for HeapMemory<S, D> {
             links: &mut self.links,
             heads: &mut self.heads,
             planes: &mut self.planes,
+            accelerations: &mut self.accelerations,
         }
     }
 }

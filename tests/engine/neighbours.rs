@@ -2,6 +2,7 @@
 
 use super::gas::{damped_spring, elastic_spring, gas, rubber};
 use carom::law::{HardSphere, Outside, Rule, Soft};
+use carom::scalar::Vector;
 use carom::space::Link;
 use carom::world::Buffers;
 use carom::world::ScheduledEvent;
@@ -19,6 +20,7 @@ struct Heads<S: Scalar, const D: usize> {
     links: Vec<Link>,
     heads: Vec<u32>,
     planes: Vec<Plane<S, D>>,
+    accelerations: Vec<Vector<S, D>>,
 }
 
 impl<S: Scalar, const D: usize> Heads<S, D> {
@@ -30,6 +32,7 @@ impl<S: Scalar, const D: usize> Heads<S, D> {
             links: vec![Link::default(); grains],
             heads: vec![0; heads],
             planes: vec![Plane::new([S::zero(); D], S::zero(), Surface::Rule); 8],
+            accelerations: vec![Vector::zeros(); grains],
         }
     }
 }
@@ -43,6 +46,7 @@ impl<S: Scalar, const D: usize> Storage<S, D> for Heads<S, D> {
             links: &mut self.links,
             heads: &mut self.heads,
             planes: &mut self.planes,
+            accelerations: &mut self.accelerations,
         }
     }
 }

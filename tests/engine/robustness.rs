@@ -2,6 +2,7 @@
 
 use crate::gas::damped_spring;
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft, Viscoelastic};
+use carom::scalar::Vector;
 use carom::space::Link;
 use carom::world::ScheduledEvent;
 use carom::world::{Buffers, Snapshot};
@@ -118,6 +119,7 @@ struct ShortSlices {
     links: Vec<Link>,
     heads: Vec<u32>,
     planes: Vec<Plane<f64, 1>>,
+    accelerations: Vec<Vector<f64, 1>>,
 }
 
 impl Storage<f64, 1> for ShortSlices {
@@ -129,13 +131,14 @@ impl Storage<f64, 1> for ShortSlices {
             links: &mut self.links,
             heads: &mut self.heads,
             planes: &mut self.planes,
+            accelerations: &mut self.accelerations,
         }
     }
 }
 
 #[test]
 fn a_short_slice_is_a_full_memory() {
-    for short in 0..4 {
+    for short in 0..5 {
         let n = |which: usize| if which == short { 1 } else { 2 };
         let mut memory = ShortSlices {
             bodies: vec![Body::default(); n(0)],
@@ -144,6 +147,7 @@ fn a_short_slice_is_a_full_memory() {
             links: vec![Link::default(); n(3)],
             heads: vec![],
             planes: vec![],
+            accelerations: vec![Vector::zeros(); n(4)],
         };
         let builder = World::builder(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
         let second = builder.grain(Grain::with_mass(0.5, 1.0).at([2.0]));

@@ -1,0 +1,157 @@
+//! How are contacts treated that last or crowd, and how stiff is what stands in for a hard one? Reads and writes nothing else.
+
+use crate::law::{Impact, Rule};
+use crate::particle::Body;
+use crate::scalar::{Scalar, Vector, WideProduct, norm};
+use crate::space::{Boundary, Plane, Surface};
+
+/// What becomes of contacts that last or crowd.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Enduring {
+    /// As in the papers: a contact is an event (L94, BSFP14) or a pair's own affair (MP13), whatever else
+    /// touches the two; grains come to rest by rules of their own.
+    #[default]
+    Paper,
+    /// Contacts of more than two, and those in which gravity decides, are integrated under the same force
+    /// law; what has come to rest sleeps.
+    Integrated,
+}
+
+/// What a world was told of clusters, and what follows from its grains.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Settings<S> {
+    pub enduring: Enduring,
+    /// n: steps in the shortest contact that a crowd can have.
+    pub steps: S,
+    /// The stand-in's contact time; none: (R/g)^½/16, R the pair's own.
+    pub contact_time: Option<S>,
+    /// What the stand-in's contact time follows from: the last gravity that was not zero.
+    pub gravity: S,
+    /// The smallest radius and mass.
+    pub smallest: [S; 2],
+    /// Whether something may collide at once: the rule has no force law, or a plane is hard.
+    pub has_instantaneous: bool,
+    /// Whether the rule has no force law.
+    pub is_rule_instantaneous: bool,
+}
+
+impl<S: Scalar> Settings<S> {
+    /// As a builder starts.
+    pub fn new(enduring: Enduring) -> Self {
+        Self {
+            enduring,
+            steps: S::from_f32(32.0),
+            contact_time: None,
+            gravity: S::zero(),
+            smallest: [S::one(), S::one()],
+            has_instantaneous: true,
+            is_rule_instantaneous: true,
+        }
+    }
+
+    /// Whether clusters are integrated.
+    #[inline]
+    pub fn is_integrated(&self) -> bool {
+        self.enduring == Enduring::Integrated
+    }
+
+    /// The same with what follows from the rule, the planes and the grains.
+    pub fn adopted<const D: usize, R: Rule<S>>(
+        mut self,
+        rule: &R,
+        boundary: &Boundary<'_, S, D>,
+        gravity: &Vector<S, D>,
+        bodies: &[Body<S, D>],
+    ) -> Self {
+        let mut fastest = S::zero();
+        self.smallest = [S::NEVER; 2];
+        for body in bodies {
+            let [radius, mass] = self.smallest;
+            self.smallest = [radius.min(body.radius), mass.min(body.mass)];
+            fastest = fastest.max(norm(&body.velocity));
+        }
+        for plane in boundary.planes() {
+            fastest = plane.vibration.map_or(fastest, |v| fastest.max(v.peak_speed()));
+        }
+        let is_hard = |plane: &Plane<S, D>| matches!(plane.surface, Surface::Hard(_));
+        self.is_rule_instantaneous = rule.force(&self.small_pair(S::one()), S::zero()).is_none();
+        self.has_instantaneous =
+            self.is_rule_instantaneous || boundary.planes().iter().any(is_hard);
+        self.take_gravity(gravity, fastest);
+        self
+    }
+
+    /// Takes over gravity; without it, if there never was one, a speed from which slow is a sixteenth.
+    pub fn take_gravity<const D: usize>(&mut self, gravity: &Vector<S, D>, fastest: S) {
+        let g = norm(gravity);
+        if g > S::zero() {
+            self.gravity = g;
+        } else if !(self.gravity > S::zero()) {
+            // Slow is (g R)^½/4.
+            let [radius, _] = self.smallest;
+            let speed = fastest * S::from_f32(0.25);
+            let g = speed.times(speed).divided_by(radius);
+            self.gravity = if g > S::zero() && g.is_finite() { g } else { S::RESOLUTION };
+        }
+    }
+
+    /// Two of the smallest grains that meet at this speed.
+    fn small_pair(&self, normal_speed: S) -> Impact<S> {
+        let [radius, mass] = self.smallest;
+        Impact {
+            contact_distance: radius + radius,
+            effective_radius: radius * S::half(),
+            reduced_mass: mass * S::half(),
+            normal_speed,
+            tangential_speed: S::zero(),
+            materials: [0; 2],
+        }
+    }
+
+    /// π over the stand-in's contact time: ω of its spring.
+    pub fn frequency(&self, radius: S) -> S {
+        let pi = S::from_f64(core::f64::consts::PI);
+        match self.contact_time {
+            Some(time) => pi / time,
+            None => pi * S::from_f32(16.0) * self.gravity.sqrt_of_ratio(radius),
+        }
+    }
+
+    /// The largest speed of approach that counts as slow: R/(64 t), with which the stand-in overlaps by
+    /// 0.5 % of R; by default 4 g t.
+    pub fn slow_speed(&self, radius: S) -> S {
+        radius * self.frequency(radius) * S::from_f64(1.0 / (64.0 * core::f64::consts::PI))
+    }
+
+    /// Below this a clustered grain is slow enough to sleep: g t/256 by default.
+    pub fn sleep_speed(&self, radius: S) -> S {
+        self.slow_speed(radius) * S::from_f32(1.0 / 1024.0)
+    }
+
+    /// For so long, ten contact times, it must have been so.
+    pub fn sleep_time(&self, radius: S) -> S {
+        S::from_f64(10.0 * core::f64::consts::PI) / self.frequency(radius)
+    }
+
+    /// The step of clustered grains of which none is faster than `speed` and no pair deeper than `overlap`.
+    pub fn step<R: Rule<S>>(&self, rule: &R, speed: S, overlap: S) -> S {
+        let impact = self.small_pair(speed + speed);
+        // A body pressed from all sides swings up to √3 times as fast as a pair does.
+        let soft = rule
+            .contact_time(&impact, overlap)
+            .map(|time| time / (self.steps * S::from_f64(1.732_050_807_568_877_2)));
+        let stand_in =
+            self.has_instantaneous && (self.gravity > S::zero() || self.contact_time.is_some());
+        let hard = stand_in.then(|| {
+            S::from_f64(core::f64::consts::PI) / (self.frequency(self.smallest[0]) * self.steps)
+        });
+        let step = match (soft, hard) {
+            (Some(soft), Some(hard)) => soft.min(hard),
+            (soft, hard) => soft.or(hard).unwrap_or(S::one()),
+        };
+        step.max(S::RESOLUTION * S::from_f32(4.0))
+    }
+}

@@ -1,0 +1,121 @@
+//! What happens to a clustered grain before its step ends? Reads bodies near it; writes nothing, returns its earliest collision.
+//!
+//! It may touch a free grain, which is clustered then, or, where the rule or a plane has no force, collide at
+//! once. In between steps everybody flies freely.
+
+use super::forces::MAX_COLLISIONS;
+use super::members::Clusters;
+use super::settings::Settings;
+use crate::detect::{EventKind, ScheduledEvent, closing_speed, pair_collision, plane_collision};
+use crate::particle::{Body, Partner};
+use crate::scalar::{Scalar, norm};
+use crate::space::{Domain, Particles, Surface};
+
+/// The earliest collision of a clustered grain up to the end of its step.
+pub(crate) fn next_event<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    (clusters, settings): (&Clusters<S>, &Settings<S>),
+    now: S,
+    grain: usize,
+) -> ScheduledEvent<S> {
+    let Some(me) = particles.body(grain) else { return ScheduledEvent::NONE };
+    let everyone = clusters.count as usize + particles.supported >= particles.bodies.len();
+    if everyone && !settings.has_instantaneous {
+        return ScheduledEvent::NONE;
+    }
+    let mut watch = Watch {
+        particles,
+        domain,
+        settings,
+        now,
+        limit: clusters.due(),
+        grain,
+        me,
+        first: ScheduledEvent::NONE,
+    };
+    let fast = norm(&me.velocity) + clusters.speed;
+    let may_collide =
+        settings.has_instantaneous && fast > settings.slow_speed(settings.smallest[0]);
+    if !everyone || may_collide {
+        particles.cells.for_each_near(me.cell, |k| watch.pair(k, may_collide));
+    }
+    if settings.has_instantaneous {
+        watch.planes();
+    }
+    watch.first
+}
+
+struct Watch<'a, S: Scalar, const D: usize> {
+    particles: &'a Particles<'a, S, D>,
+    domain: &'a Domain<'a, S, D>,
+    settings: &'a Settings<S>,
+    now: S,
+    limit: S,
+    grain: usize,
+    me: &'a Body<S, D>,
+    first: ScheduledEvent<S>,
+}
+
+impl<S: Scalar, const D: usize> Watch<'_, S, D> {
+    fn pair(&mut self, k: usize, may_collide: bool) {
+        let Some(other) = self.particles.body(k).filter(|_| k != self.grain) else { return };
+        let is_free = !other.is_clustered() && !other.is_asleep();
+        let tired = self.me.consecutive_collisions >= MAX_COLLISIONS
+            || other.is_clustered() && other.consecutive_collisions >= MAX_COLLISIONS;
+        if !is_free && (!may_collide || tired) {
+            return;
+        }
+        let time = pair_collision(self.particles, self.domain, self.now, [self.grain, k]);
+        let Some(time) = time.map(|time| time.max(self.now)).filter(|&time| time <= self.limit)
+        else {
+            return;
+        };
+        let with = Partner::grain(k);
+        let slow = self.settings.slow_speed(self.me.radius.min(other.radius));
+        let speed = closing_speed(self.particles, self.domain, (self.grain, with), time);
+        if is_free || speed > slow {
+            self.keep(time, with, other.event_count, speed);
+        }
+    }
+
+    fn planes(&mut self) {
+        let slow = self.settings.slow_speed(self.me.radius);
+        if self.me.consecutive_collisions >= MAX_COLLISIONS {
+            return;
+        }
+        for (p, plane) in self.domain.boundary.planes().iter().enumerate() {
+            if !(matches!(plane.surface, Surface::Hard(_)) || self.settings.is_rule_instantaneous) {
+                continue;
+            }
+            let time = plane_collision(self.domain, self.now, self.me, (plane, self.limit));
+            let Some(time) = time.filter(|&time| time <= self.limit) else { continue };
+            let with = Partner::plane(p);
+            let speed = closing_speed(self.particles, self.domain, (self.grain, with), time);
+            if speed > slow {
+                self.keep(time, with, 0, speed);
+            }
+        }
+    }
+
+    /// Keeps the earlier, of equals the faster, of equals that with the lower number.
+    fn keep(&mut self, time: S, partner: Partner, partner_event_count: u32, speed: S) {
+        let first = &self.first;
+        let sooner = time < first.collision_time
+            || time == first.collision_time && {
+                let old =
+                    closing_speed(self.particles, self.domain, (self.grain, first.partner), time);
+                speed > old || speed == old && partner.word() < first.partner.word()
+            };
+        if sooner {
+            self.first = ScheduledEvent {
+                time,
+                collision_time: time,
+                partner,
+                partner_event_count,
+                kind: EventKind::Collision,
+                face: ScheduledEvent::<S>::NO_FACE,
+            };
+        }
+    }
+}
