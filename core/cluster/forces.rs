@@ -11,7 +11,7 @@ use crate::scalar::{Scalar, Vector, dot, norm};
 use crate::space::{Domain, Particles, Plane, Surface};
 
 /// After so many collisions in a step a grain goes on by forces alone.
-pub(super) const MAX_COLLISIONS: u16 = 8;
+pub(crate) const MAX_COLLISIONS: u16 = 8;
 
 /// So many sleeping grains are woken in a step; others that should be follow in the next.
 const MAX_WOKEN: usize = 16;

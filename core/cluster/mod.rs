@@ -10,6 +10,7 @@ mod step;
 mod watch;
 
 pub(crate) use crowd::is_crowded;
+pub(crate) use forces::MAX_COLLISIONS;
 pub(crate) use members::{Clusters, join, wake};
 pub use settings::Enduring;
 pub(crate) use settings::Settings;

@@ -34,7 +34,7 @@ pub(crate) struct Settings<S> {
     pub smallest: [S; 2],
     /// Whether something may collide at once: the rule has no force law, or a plane is hard.
     pub has_instantaneous: bool,
-    /// Whether the rule has no force law.
+    /// Whether the rule has no force law for some pair of materials.
     pub is_rule_instantaneous: bool,
 }
 
@@ -77,11 +77,28 @@ impl<S: Scalar> Settings<S> {
             fastest = plane.vibration.map_or(fastest, |v| fastest.max(v.peak_speed()));
         }
         let is_hard = |plane: &Plane<S, D>| matches!(plane.surface, Surface::Hard(_));
-        self.is_rule_instantaneous = rule.force(&self.small_pair(S::one()), S::zero()).is_none();
+        self.is_rule_instantaneous = self.has_pair_without_force(rule, bodies);
         self.has_instantaneous =
             self.is_rule_instantaneous || boundary.planes().iter().any(is_hard);
         self.take_gravity(gravity, fastest);
         self
+    }
+
+    /// Whether two of these grains may have no force law. Of more than 16 materials some may.
+    fn has_pair_without_force<const D: usize, R: Rule<S>>(
+        &self,
+        rule: &R,
+        bodies: &[Body<S, D>],
+    ) -> bool {
+        let mut materials = heapless::Vec::<u8, 16>::new();
+        for body in bodies {
+            if !materials.contains(&body.material) && materials.push(body.material).is_err() {
+                return true;
+            }
+        }
+        let pairs = materials.iter().flat_map(|&a| materials.iter().map(move |&b| [a, b]));
+        let mut impacts = pairs.map(|materials| Impact { materials, ..self.small_pair(S::one()) });
+        impacts.any(|impact| rule.force(&impact, S::zero()).is_none())
     }
 
     /// Takes over gravity; without it, if there never was one, a speed from which slow is a sixteenth.

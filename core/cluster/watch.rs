@@ -36,7 +36,7 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
     };
     let fast = norm(&me.velocity) + clusters.speed;
     let may_collide =
-        settings.has_instantaneous && fast > settings.slow_speed(settings.smallest[0]);
+        settings.is_rule_instantaneous && fast > settings.slow_speed(settings.smallest[0]);
     if !everyone || may_collide {
         particles.cells.for_each_near(me.cell, |k| watch.pair(k, may_collide));
     }

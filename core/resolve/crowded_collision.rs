@@ -8,7 +8,7 @@ use super::context::Context;
 use super::effects::{EventOutcome, Incident};
 use super::impact_frame::ImpactFrame;
 use super::{broken_contact, contact_begin, plane_collision};
-use crate::cluster::is_crowded;
+use crate::cluster::{MAX_COLLISIONS, is_crowded};
 use crate::error::Error;
 use crate::law::{Outcome, Response, Rule};
 use crate::particle::{Body, Partner};
@@ -48,7 +48,17 @@ fn join<S: Scalar, const D: usize>(
     grains: [Option<usize>; 2],
 ) -> EventOutcome<S> {
     context.count(Incident::Join);
+    let clustered = |context: &Context<'_, '_, S, D>| context.clusters.count;
+    let before = clustered(context);
     grains.into_iter().flatten().for_each(|grain| context.join(grain));
+    if clustered(context) == before {
+        // They were already: forces decide, and nothing at once until the step ends.
+        for x in grains.into_iter().flatten() {
+            if let Some(body) = context.particles.bodies.get_mut(x) {
+                body.consecutive_collisions = MAX_COLLISIONS;
+            }
+        }
+    }
     EventOutcome::Joined
 }
 
@@ -90,6 +100,8 @@ fn touch_grain<S: Scalar, const D: usize>(
             context.count(Incident::Collision);
             Ok(EventOutcome::ContactBegan(outcome))
         }
+        // Outside the table: forces know.
+        Response::Instantaneous(_) if lasts => crowd(context),
         Response::Instantaneous(restitution) => {
             context.count(Incident::Collision);
             let mass = a.mass + b.mass;
@@ -228,6 +240,7 @@ fn touch_plane<S: Scalar, const D: usize>(
             begins_now(context, [i]);
             Ok(began)
         }
+        Response::Instantaneous(_) if lasts => Ok(join(context, [Some(i), None])),
         Response::Instantaneous(restitution) => {
             context.count(Incident::PlaneCollision);
             let least = min_parting_speed(&body.velocity);
