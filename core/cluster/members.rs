@@ -52,6 +52,15 @@ impl<S: Scalar> Clusters<S> {
         self.count += 1;
     }
 
+    /// The list of all bodies that say they are clustered: those of a snapshot.
+    pub fn relink<const D: usize>(&mut self, bodies: &mut [Body<S, D>]) {
+        (self.first, self.count) = (Partner::LAST_CLUSTERED, 0);
+        for (i, body) in bodies.iter_mut().enumerate().rev().filter(|(_, b)| b.is_clustered()) {
+            body.partner = core::mem::replace(&mut self.first, Partner::clustered(Some(i)));
+            self.count += 1;
+        }
+    }
+
     /// Takes a grain out of the list.
     fn remove<const D: usize>(&mut self, bodies: &mut [Body<S, D>], grain: usize) {
         let before = self.before(bodies, grain);
@@ -90,7 +99,7 @@ pub(crate) fn join<S: Scalar, const D: usize>(
     let Some(body) = particles.body(i).copied().filter(|body| !body.is_clustered()) else { return };
     let there = if body.is_asleep() { flight::at(&body, domain, now) } else { body };
     let body = Body {
-        velocity_change: Vector::zeros(),
+        velocity_change: *domain.gravity(),
         contact_end: now,
         reference_time: now,
         partner: Partner::NOTHING,
@@ -102,9 +111,6 @@ pub(crate) fn join<S: Scalar, const D: usize>(
         (clusters.time, clusters.step) = (now, S::zero());
     }
     clusters.insert(particles.bodies, i);
-    if let Some(a) = particles.accelerations.get_mut(i) {
-        *a = *domain.gravity();
-    }
 }
 
 /// Grain `i` flies freely from now on.
@@ -115,6 +121,7 @@ pub(super) fn leave<S: Scalar, const D: usize>(
 ) {
     clusters.remove(particles.bodies, i);
     if let Some(body) = particles.bodies.get_mut(i) {
+        body.velocity_change = Vector::zeros();
         (body.contact_end, body.reference_time) = (S::NEVER, now);
         body.consecutive_collisions = 0;
     }

@@ -2,7 +2,7 @@
 
 use super::settings::Settings;
 use crate::particle::Body;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, norm};
 use crate::space::{Domain, Particles};
 
 /// Whether a clustered grain has been slow for ten contact times, and whoever it touches for half of that.
@@ -10,10 +10,14 @@ pub(super) fn may_sleep<S: Scalar, const D: usize>(
     particles: &Particles<'_, S, D>,
     domain: &Domain<'_, S, D>,
     settings: &Settings<S>,
-    (i, body, now): (usize, &Body<S, D>, S),
+    (i, body): (usize, &Body<S, D>),
+    [now, step]: [S; 2],
 ) -> bool {
     let long = settings.sleep_time(body.radius);
-    if now - body.reference_time < long || body.contact_end < now {
+    if now - body.reference_time < long
+        || body.contact_end < now
+        || !is_balanced(domain, body, step)
+    {
         return false;
     }
     let mut may = true;
@@ -23,8 +27,26 @@ pub(super) fn may_sleep<S: Scalar, const D: usize>(
         };
         let (apart, reach) = (domain.separation(body, other), body.radius + other.radius);
         let touches = S::dot(&apart, &apart) < reach.times(reach);
-        let is_slow = other.is_clustered() && now - other.reference_time >= long * S::half();
+        let is_slow = other.is_clustered()
+            && now - other.reference_time >= long * S::half()
+            && is_balanced(domain, other, step);
         may &= is_slow || !touches;
     });
     may
+}
+
+/// Whether the forces on a clustered grain leave less than 10⁻⁴ of its weight, or than what rounding of its
+/// position makes of them.
+fn is_balanced<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    body: &Body<S, D>,
+    step: S,
+) -> bool {
+    let coarse = coordinate_rounding(body) / step / step;
+    norm(&body.velocity_change) <= (norm(domain.gravity()) * S::from_f64(1e-4)).max(coarse)
+}
+
+/// By how much rounding can move a body.
+pub(super) fn coordinate_rounding<S: Scalar, const D: usize>(body: &Body<S, D>) -> S {
+    body.position.iter().fold(body.radius, |far, x| far.max(x.abs())).rounding()
 }

@@ -7,7 +7,7 @@
 use super::forces::Forces;
 use super::members::{Clusters, join, leave, sleep};
 use super::settings::Settings;
-use super::sleep::may_sleep;
+use super::sleep::{coordinate_rounding, may_sleep};
 use crate::law::Rule;
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, norm};
@@ -88,8 +88,11 @@ fn to_the_middle<S: Scalar, const D: usize>(
     i: usize,
     [from, half]: [S; 2],
 ) {
-    let before = particles.accelerations.get(i).copied().unwrap_or(*domain.gravity());
     let body = particles.present(i, domain, from);
+    let before = body.velocity_change;
+    if let Some(place) = particles.accelerations.get_mut(i) {
+        *place = before;
+    }
     let there = Body {
         position: body.position + body.velocity * half,
         velocity: body.velocity + before * half,
@@ -110,19 +113,15 @@ fn to_the_end<S: Scalar, const D: usize>(
     let half = step * S::half();
     let Some(body) = particles.body(i).copied() else { return S::zero() };
     let now = body.velocity_change + domain.gravity();
-    let before = match particles.accelerations.get_mut(i) {
-        Some(place) => core::mem::replace(place, now),
-        None => now,
-    };
+    let before = particles.accelerations.get(i).copied().unwrap_or(now);
     let velocity = body.velocity - before * half + now * step;
     let speed = norm(&velocity);
-    let far = body.position.iter().fold(body.radius, |far, x| far.max(x.abs()));
-    let coarse = far.rounding() / step;
+    let coarse = coordinate_rounding(&body) / step;
     let is_slow = speed <= settings.sleep_speed(body.radius).max(coarse);
     let there = Body {
         position: body.position + velocity * half,
         velocity,
-        velocity_change: Vector::zeros(),
+        velocity_change: now,
         clock: to,
         reference_time: if is_slow { body.reference_time } else { to },
         consecutive_collisions: 0,
@@ -145,7 +144,7 @@ pub(crate) fn settle<S: Scalar, const D: usize>(
         leave(particles, clusters, (i, now));
     } else if !domain.is_weightless()
         && domain.is_still()
-        && may_sleep(particles, domain, settings, (i, &body, now))
+        && may_sleep(particles, domain, settings, (i, &body), [now, clusters.step])
     {
         sleep(particles, domain, clusters, (i, now));
     }

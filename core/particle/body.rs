@@ -18,7 +18,7 @@ pub struct Body<S: Scalar, const D: usize> {
     pub(crate) clock: S,
     pub(crate) radius: S,
     /// What the contact's end (E^v) adds to the velocity. For a plane: the normal velocity's new value.
-    /// During a step of clustered grains: the acceleration by forces, as far as it is summed up.
+    /// Of a clustered grain: its acceleration in the last step.
     pub(crate) velocity_change: Vector<S, D>,
     /// When the contact ends. Of a clustered grain: when it touched something last.
     pub(crate) contact_end: S,

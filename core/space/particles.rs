@@ -13,7 +13,7 @@ use crate::scalar::{Scalar, Vector};
 pub(crate) struct Particles<'m, S: Scalar, const D: usize> {
     /// Each at its own clock.
     pub bodies: &'m mut [Body<S, D>],
-    /// Of clustered grains, in their last step.
+    /// Of clustered grains during a step: those of the last one.
     pub accelerations: &'m mut [Vector<S, D>],
     pub cells: Cells<'m, S, D>,
     pub largest_radius: S,

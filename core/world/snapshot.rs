@@ -87,6 +87,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         let (bodies, events) = (saved.bodies.as_ref(), saved.events.as_ref());
         let planes = saved.boundary.planes.len();
         check_snapshot::check(bodies, events, saved.now, planes)?;
+        check_snapshot::check_clusters(&saved.clusters, saved.now)?;
         check_snapshot::check_statistics(&saved.statistics)?;
         let mut builder =
             World::builder(memory).rule(rule).grains(bodies.iter().map(Body::as_grain))?;
@@ -114,6 +115,7 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
         self.parameters.settings = saved.settings;
         self.parameters.settled_gravity = saved.settled_gravity;
         self.clusters = saved.clusters;
+        self.clusters.relink(self.particles.bodies);
         let Snapshot { now, last_visible, epoch, .. } = *saved;
         self.clock = Clock { now, last_visible, epoch };
         self.domain.boundary.set_epoch(saved.epoch);

@@ -82,6 +82,9 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
     pub fn released(&self, index: usize) -> Option<Grain<S, D>> {
         let mut grain = self.grain(index)?;
         let body = self.particles.body(index)?;
+        if !body.in_contact() {
+            return Some(grain);
+        }
         let plane = body.partner.as_plane().and_then(|p| self.domain.boundary.planes().get(p));
         if let Some(plane) = plane {
             let along = dot(&plane.normal, &grain.velocity);

@@ -1,6 +1,7 @@
 //! Does the engine keep what it promises? Conservation, symmetry, time, errors and snapshots, for all inputs.
 
 mod advance;
+mod clusters;
 mod conservation;
 mod contact;
 mod corners;
