@@ -8,14 +8,13 @@ use carom_tables::recipe::{NumberType, Recipe};
 
 /// The numbers in which tables are stored, and what that adds to a table's name.
 fn numbers() -> Vec<(NumberType, &'static str)> {
-    let float = if enabled("F64_TABLES") { NumberType::F64 } else { NumberType::F32 };
-    vec![
-        (float, ""),
-        #[cfg(feature = "fixed")]
-        (NumberType::I32F32, "_I32F32"),
-        #[cfg(feature = "fixed")]
-        (NumberType::I16F16, "_I16F16"),
-    ]
+    let mut all = vec![(NumberType::F32, "")];
+    if enabled("F64_TABLES") {
+        all.push((NumberType::F64, "_F64"));
+    }
+    #[cfg(feature = "fixed")]
+    all.extend([(NumberType::I32F32, "_I32F32"), (NumberType::I16F16, "_I16F16")]);
+    all
 }
 
 fn enabled(feature: &str) -> bool {
@@ -30,7 +29,8 @@ fn module(module: &str, recipe: fn(Law) -> Recipe) -> Result<String, Box<dyn Err
             [(Law::LinearDashpot, "LINEAR_DASHPOT"), (Law::Viscoelastic, "VISCOELASTIC")]
         {
             // A wide table has numbers too large to be quantised.
-            if ending.is_empty() || module != "wide" {
+            let is_quantised = !matches!(number, NumberType::F32 | NumberType::F64);
+            if !(is_quantised && module == "wide") {
                 text += &recipe(law).number_type(number).emit(&format!("{name}{ending}"))?;
             }
         }

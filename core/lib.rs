@@ -61,6 +61,8 @@
     )
 )]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
 #[cfg(test)]
 extern crate std;
 
@@ -79,4 +81,6 @@ pub use cluster::Enduring;
 pub use error::Error;
 pub use particle::Grain;
 pub use scalar::{Instant, Scalar};
+#[cfg(feature = "alloc")]
+pub use world::HeapMemory;
 pub use world::{Memory, Observer, Release, Statistics, Storage, View, World};

@@ -1,8 +1,12 @@
 //! What does a soft contact do? The matrix of restitution of MP13 from a table; reads an impact, writes its outcome.
 
-use super::embedded::Embedded;
+#[cfg(feature = "standard")]
+use super::embedded::Standard;
+use super::embedded::TableSet;
 use super::rule::{Answer, ContactForce, Impact, Response, Rule, Validity};
-use super::scales::{ForceLaw, LinearDashpot, Scales, Viscoelastic};
+use super::scales::{ForceLaw, Scales};
+#[cfg(feature = "standard")]
+use super::scales::{LinearDashpot, Viscoelastic};
 use crate::error::Error;
 use crate::scalar::Scalar;
 use carom_tables::read::{Groups, StoredNumber, Table};
@@ -29,19 +33,27 @@ pub struct Soft<L, C: 'static = f32> {
     outside: Outside,
 }
 
-impl<S: Embedded> Soft<LinearDashpot<S>, S::Stored> {
-    /// The linear spring-dashpot with the default embedded table.
+#[cfg(feature = "standard")]
+impl<S: Scalar> Soft<LinearDashpot<S>, <Standard as TableSet<S>>::Stored>
+where
+    Standard: TableSet<S>,
+{
+    /// The linear spring-dashpot with the embedded table of [`Standard`], whatever other features are on.
     #[must_use]
     pub fn linear_dashpot(law: LinearDashpot<S>, outside: Outside) -> Self {
-        Self::with_table(law, S::linear_dashpot(), outside)
+        Self::embedded(law, Standard, outside)
     }
 }
 
-impl<S: Embedded> Soft<Viscoelastic<S>, S::Stored> {
-    /// Viscoelastic spheres with the default embedded table.
+#[cfg(feature = "standard")]
+impl<S: Scalar> Soft<Viscoelastic<S>, <Standard as TableSet<S>>::Stored>
+where
+    Standard: TableSet<S>,
+{
+    /// Viscoelastic spheres with the embedded table of [`Standard`], whatever other features are on.
     #[must_use]
     pub fn viscoelastic(law: Viscoelastic<S>, outside: Outside) -> Self {
-        Self::with_table(law, S::viscoelastic(), outside)
+        Self::embedded(law, Standard, outside)
     }
 }
 
@@ -50,6 +62,26 @@ impl<L, C> Soft<L, C> {
     #[must_use]
     pub const fn with_table(law: L, table: &'static Table<C>, outside: Outside) -> Self {
         Self { law, table, outside }
+    }
+
+    /// A force law with its table from an embedded set: `Compact`, `Standard` or `Wide`, each behind the
+    /// feature of its name.
+    ///
+    /// ```
+    /// # #[cfg(feature = "compact")] {
+    /// use carom::law::{LinearDashpot, Outside, Soft, embedded::Compact};
+    /// let law = LinearDashpot { stiffness: 2000.0_f32, damping: 0.5 };
+    /// let rule = Soft::embedded(law, Compact, Outside::Clamp);
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn embedded<S, T>(law: L, _: T, outside: Outside) -> Self
+    where
+        S: Scalar,
+        L: ForceLaw<S>,
+        T: TableSet<S, Stored = C>,
+    {
+        Self::with_table(law, T::table(L::LAW), outside)
     }
 }
 

@@ -21,6 +21,8 @@ pub use observe::{Event, Observer};
 pub use snapshot::Snapshot;
 pub use state::World;
 pub use statistics::Statistics;
+#[cfg(feature = "alloc")]
+pub use storage::HeapMemory;
 pub use storage::{Buffers, Memory, Storage};
 pub use view::View;
 

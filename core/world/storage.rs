@@ -1,9 +1,11 @@
-//! Who owns the arrays? The only type with a capacity; reads nothing, lends buffers.
+//! Who owns the arrays? The only types with a capacity, in place or on the heap; reads nothing, lends buffers.
 
 use crate::detect::ScheduledEvent;
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, vector};
 use crate::space::{Link, MAX_PLANES, Plane};
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
 
 /// What a world borrows. The shortest slice but `heads` says how many grains fit.
 pub struct Buffers<'m, S: Scalar, const D: usize> {
@@ -33,13 +35,52 @@ impl<S: Scalar, const D: usize> Buffers<'_, S, D> {
     }
 }
 
-/// Something a world can live in.
-///
-/// [`Memory`] is one; a host implements it for its vectors.
+/// Something a world can live in: [`Memory`], with the feature `alloc` `HeapMemory`, or your own arrays.
 pub trait Storage<S: Scalar, const D: usize> {
     /// Lends everything it has.
     fn buffers(&mut self) -> Buffers<'_, S, D>;
 }
+
+/// The arrays behind [`Buffers`], of whatever type.
+#[derive(Clone, Debug, Default)]
+struct Arrays<B, E, W, L, P, V> {
+    bodies: B,
+    events: E,
+    tree: W,
+    links: L,
+    heads: W,
+    planes: P,
+    accelerations: V,
+}
+
+impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P, V> Arrays<B, E, W, L, P, V> {
+    fn buffers<S: Scalar, const D: usize>(&mut self) -> Buffers<'_, S, D>
+    where
+        B: AsMut<[Body<S, D>]>,
+        E: AsMut<[ScheduledEvent<S>]>,
+        P: AsMut<[Plane<S, D>]>,
+        V: AsMut<[Vector<S, D>]>,
+    {
+        Buffers {
+            bodies: self.bodies.as_mut(),
+            events: self.events.as_mut(),
+            tree: self.tree.as_mut(),
+            links: self.links.as_mut(),
+            heads: self.heads.as_mut(),
+            planes: self.planes.as_mut(),
+            accelerations: self.accelerations.as_mut(),
+        }
+    }
+}
+
+type InPlace<S, const D: usize, const N: usize, const P: usize> = Arrays<
+    [Body<S, D>; N],
+    [ScheduledEvent<S>; N],
+    [u32; N],
+    [Link; N],
+    [Plane<S, D>; P],
+    [Vector<S, D>; N],
+>;
 
 /// Memory for at most `N` grains and `P` planes, owned in place: no allocator.
 ///
@@ -52,15 +93,9 @@ pub trait Storage<S: Scalar, const D: usize> {
 /// assert!(size_of::<Memory<f32, 2, 32, 4>>() <= size_of::<Memory<f32, 2, 32>>() - 2 * 64);
 /// ```
 #[derive(Clone, Debug)]
-pub struct Memory<S: Scalar, const D: usize, const N: usize, const P: usize = MAX_PLANES> {
-    bodies: [Body<S, D>; N],
-    events: [ScheduledEvent<S>; N],
-    tree: [u32; N],
-    links: [Link; N],
-    heads: [u32; N],
-    planes: [Plane<S, D>; P],
-    accelerations: [Vector<S, D>; N],
-}
+pub struct Memory<S: Scalar, const D: usize, const N: usize, const P: usize = MAX_PLANES>(
+    InPlace<S, D, N, P>,
+);
 
 impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, P> {
     /// Empty memory, also in a `static`: all its bits are zero, so it takes no flash.
@@ -82,7 +117,7 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, 
     /// ```
     #[must_use]
     pub const fn new() -> Self {
-        Self {
+        Self(Arrays {
             bodies: [Body::VACANT; N],
             events: [ScheduledEvent::VACANT; N],
             tree: [0; N],
@@ -90,7 +125,7 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, 
             heads: [0; N],
             planes: [Plane::VACANT; P],
             accelerations: [vector([S::ZERO; D]); N],
-        }
+        })
     }
 }
 
@@ -105,14 +140,91 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Storage<S, D>
     for Memory<S, D, N, P>
 {
     fn buffers(&mut self) -> Buffers<'_, S, D> {
-        Buffers {
-            bodies: &mut self.bodies,
-            events: &mut self.events,
-            tree: &mut self.tree,
-            links: &mut self.links,
-            heads: &mut self.heads,
-            planes: &mut self.planes,
-            accelerations: &mut self.accelerations,
-        }
+        self.0.buffers()
+    }
+}
+
+#[cfg(feature = "alloc")]
+type OnHeap<S, const D: usize> = Arrays<
+    Vec<Body<S, D>>,
+    Vec<ScheduledEvent<S>>,
+    Vec<u32>,
+    Vec<Link>,
+    Vec<Plane<S, D>>,
+    Vec<Vector<S, D>>,
+>;
+
+/// Memory on the heap, for a number of grains that is known at run time only (feature `alloc`).
+///
+/// The engine over it is the same as over [`Memory`] and allocates nothing itself. Between two worlds it
+/// can grow.
+///
+/// ```
+/// use carom::{Grain, HeapMemory, World, law::HardSphere};
+/// let mut memory = HeapMemory::<f64, 3>::with_capacity(1000);
+/// let grains = (0..1000).map(|i| Grain::with_mass(0.1, 1.0).at([f64::from(i), 0.0, 0.0]));
+/// let world = World::builder(&mut memory)
+///     .rule(HardSphere { restitution: 1.0 })
+///     .grains(grains)?
+///     .start()?;
+/// assert_eq!(world.view().len(), 1000);
+///
+/// memory.reserve(500);
+/// assert_eq!(memory.capacity(), 1500);
+/// # Ok::<(), carom::Error>(())
+/// ```
+#[cfg(feature = "alloc")]
+#[derive(Clone, Debug)]
+pub struct HeapMemory<S: Scalar, const D: usize>(OnHeap<S, D>);
+
+#[cfg(feature = "alloc")]
+impl<S: Scalar, const D: usize> HeapMemory<S, D> {
+    /// Memory for this many grains and as many cells, and for all the planes that there can be.
+    #[must_use]
+    pub fn with_capacity(grains: usize) -> Self {
+        let mut memory = Self(Arrays {
+            bodies: Vec::new(),
+            events: Vec::new(),
+            tree: Vec::new(),
+            links: Vec::new(),
+            heads: Vec::new(),
+            planes: alloc::vec![Plane::VACANT; MAX_PLANES],
+            accelerations: Vec::new(),
+        });
+        memory.reserve(grains);
+        memory
+    }
+
+    /// Room for this many more grains. Worlds in it before are gone: they borrowed it.
+    pub fn reserve(&mut self, additional: usize) {
+        let grains = self.capacity() + additional;
+        let arrays = &mut self.0;
+        arrays.bodies.resize(grains, Body::VACANT);
+        arrays.events.resize(grains, ScheduledEvent::VACANT);
+        arrays.tree.resize(grains, 0);
+        arrays.links.resize(grains, Link::VACANT);
+        arrays.accelerations.resize(grains, vector([S::ZERO; D]));
+        // Twice as many: a grid cannot use just any number of cells.
+        arrays.heads.resize(2 * grains, 0);
+    }
+
+    /// The same with room for this many cells; with none, all pairs are neighbours.
+    #[must_use]
+    pub fn with_cells(mut self, cells: usize) -> Self {
+        self.0.heads.resize(cells, 0);
+        self
+    }
+
+    /// How many grains fit.
+    #[must_use]
+    pub fn capacity(&self) -> usize {
+        self.0.bodies.len()
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<S: Scalar, const D: usize> Storage<S, D> for HeapMemory<S, D> {
+    fn buffers(&mut self) -> Buffers<'_, S, D> {
+        self.0.buffers()
     }
 }

@@ -4,8 +4,8 @@
 //! fixed number of collisions, so that two builds do the same work. What counts is user CPU time;
 //! crossings into another cell and ends of contacts are work, but no collisions.
 
-use crate::heap_memory::HeapMemory;
 use anyhow::{Context, Result};
+use carom::HeapMemory;
 use carom::law::{Central, HardSphere, Outside, Rule, Soft, Viscoelastic};
 use carom::{Grain, Storage, World};
 use rand::{RngExt, SeedableRng};
@@ -78,7 +78,7 @@ fn with_rule<const D: usize>(case: &Case, effort: Effort) -> Result<Row> {
 }
 
 fn run<const D: usize>(case: &Case, rule: impl Rule<f64>, effort: Effort) -> Result<Row> {
-    let mut storage = HeapMemory::<f64, D>::new(case.count);
+    let mut storage = HeapMemory::<f64, D>::with_capacity(case.count);
     let bytes_per_grain = bytes(&mut storage) as f64 / case.count as f64;
     let builder = World::builder(&mut storage).periodic([[0.0, case.edge()]; D]).rule(rule);
     let mut world = builder.grains(grains::<D>(case))?.start()?;

@@ -4,8 +4,8 @@
 //! by about the mean free path over the grain's size in the next. So the error after the first
 //! collision is the method's own, and its growth with the collision number is the gas's.
 
-use crate::heap_memory::HeapMemory;
 use crate::integrated::Integrated;
+use carom::HeapMemory;
 use carom::law::{Central, Outside, Rule, Soft, Viscoelastic};
 use carom::{Error, Grain, World};
 use carom_reference::{
@@ -234,7 +234,7 @@ fn errors(
     grains: &[Grain<f64, 3>],
     samples: &[Sample],
 ) -> Result<Vec<f64>, Error> {
-    let mut storage = HeapMemory::new(grains.len());
+    let mut storage = HeapMemory::with_capacity(grains.len());
     let mut world = World::builder(&mut storage)
         .periodic([[0.0, edge()]; 3])
         .rule(rule)

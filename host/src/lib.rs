@@ -14,7 +14,6 @@ pub mod commands;
 pub mod compare;
 pub mod divergence;
 pub mod figure;
-pub mod heap_memory;
 pub mod integrated;
 pub mod method;
 pub mod output;

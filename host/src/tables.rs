@@ -2,7 +2,7 @@
 
 use crate::collide::Restitution;
 use anyhow::{Context, Result};
-use carom::law::embedded::{self, Stored};
+use carom::law::embedded;
 use carom_tables::read::{End, Groups, Law, ScaledRestitution, Table};
 use carom_tables::recipe::{GeneratedTable, Recipe};
 use serde::Deserialize;
@@ -35,7 +35,7 @@ impl Size {
 }
 
 /// An embedded table; its contacts end when the force vanishes.
-pub fn embedded(size: Size, law: Law) -> &'static Table<Stored> {
+pub fn embedded(size: Size, law: Law) -> &'static Table<f32> {
     match (size, law) {
         (Size::Compact, Law::LinearDashpot) => &embedded::compact::LINEAR_DASHPOT,
         (Size::Compact, Law::Viscoelastic) => &embedded::compact::VISCOELASTIC,

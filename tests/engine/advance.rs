@@ -1,11 +1,11 @@
 //! Does a world arrive where it is told to, and no further? Advances in all ways; compares digests and instants.
 
 use crate::gas::gas;
+use carom::HeapMemory;
 use carom::error::Subject;
 use carom::law::HardSphere;
 use carom::space::{Plane, Surface};
 use carom::{Error, Grain, Instant, Memory, World};
-use carom_host::heap_memory::HeapMemory;
 
 const RULE: HardSphere<f64> = HardSphere { restitution: 0.9 };
 
@@ -23,7 +23,7 @@ fn falling(memory: &mut HeapMemory<f64, 2>) -> World<'_, f64, 2, HardSphere<f64>
 
 #[test]
 fn a_budget_of_events_changes_no_bit() {
-    let (mut one, mut other) = (HeapMemory::new(60), HeapMemory::new(60));
+    let (mut one, mut other) = (HeapMemory::with_capacity(60), HeapMemory::with_capacity(60));
     let (mut whole, mut in_parts) = (falling(&mut one), falling(&mut other));
     let mut calls = 0;
     for frame in 1..=40 {
@@ -42,7 +42,7 @@ fn a_budget_of_events_changes_no_bit() {
 
 #[test]
 fn an_empty_budget_does_nothing() {
-    let mut memory = HeapMemory::new(60);
+    let mut memory = HeapMemory::with_capacity(60);
     let mut world = falling(&mut memory);
     let before = world.digest();
     assert!(!world.advance_with_budget(1.0, 0).unwrap());
@@ -52,7 +52,7 @@ fn an_empty_budget_does_nothing() {
 /// What `step` cannot promise: it passes over stale predictions, and the next event may be long after.
 #[test]
 fn a_step_goes_no_further_than_it_is_told() {
-    let (mut one, mut other) = (HeapMemory::new(60), HeapMemory::new(60));
+    let (mut one, mut other) = (HeapMemory::with_capacity(60), HeapMemory::with_capacity(60));
     let (mut whole, mut stepped) = (falling(&mut one), falling(&mut other));
     let mut events = 0;
     for frame in 1..=400 {
@@ -70,7 +70,7 @@ fn a_step_goes_no_further_than_it_is_told() {
 
 #[test]
 fn a_time_that_is_none_is_refused() {
-    let mut memory = HeapMemory::new(60);
+    let mut memory = HeapMemory::with_capacity(60);
     let mut world = falling(&mut memory);
     world.advance_to(0.5).unwrap();
     let before = world.digest();

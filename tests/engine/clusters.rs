@@ -1,7 +1,7 @@
 //! Are contacts that last or crowd integrated rightly, and do heaps come to rest? Reads worlds; compares with outside data, statics and symmetry.
 
 use carom::law::{HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
-use carom::{Enduring, Error, Grain, Memory, Scalar, World};
+use carom::{Enduring, Error, Grain, HeapMemory, Memory, Scalar, World};
 use serde_json::Value;
 
 fn number(value: &Value) -> f64 {
@@ -226,4 +226,54 @@ fn a_world_saved_in_a_cluster_goes_on_with_the_same_bits() {
         }
         assert_eq!(world.digest(), restored.digest());
     }
+}
+
+/// The digest of a settling heap of unequal grains after every hundredth event.
+fn digests(cells: usize, rule: impl Rule<f64>) -> Vec<u64> {
+    const N: usize = 40;
+    let mut memory = HeapMemory::<f64, 2>::with_capacity(N).with_cells(cells);
+    let grains = (0..N).map(|i| {
+        let radius = 0.6 + 0.4 * (((i * 37) % 11) as f64) / 11.0;
+        let x = 1.1 + 2.1 * (i % 5) as f64;
+        let v = 0.3 * (i as f64).sin();
+        Grain::with_mass(radius, radius.powi(2))
+            .at([x, 1.1 + 2.2 * (i / 5) as f64])
+            .moving([v, 0.0])
+    });
+    let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Integrated)
+        .hard_walls([[0.0, 10.6], [0.0, 40.0]], 0.5)
+        .gravity([0.0, -1.0])
+        .rule(rule)
+        .grains(grains)
+        .unwrap()
+        .start()
+        .unwrap();
+    let at = |k: u32| f64::from(k) * 0.2037;
+    let digests = (1..60).map(|k| {
+        world.advance_to(at(k)).unwrap();
+        world.digest()
+    });
+    let digests = digests.collect();
+    assert!(world.statistics().steps > 1000, "{:?}", world.statistics());
+    digests
+}
+
+/// However neighbours are found, clusters have the same bits.
+#[test]
+fn clusters_have_the_same_bits_with_cells_and_without() {
+    let spring = LinearDashpot { stiffness: 2000.0, damping: 2.0 };
+    let soft = Soft::linear_dashpot(spring, Outside::HardSphere);
+    assert_eq!(
+        digests(80, HardSphere { restitution: 0.5 }),
+        digests(0, HardSphere { restitution: 0.5 })
+    );
+    assert_eq!(digests(80, soft), digests(0, soft));
+}
+
+/// The bytes a grain takes in all memory, cells included.
+#[test]
+fn a_grain_takes_so_many_bytes() {
+    let bytes = size_of::<Memory<f64, 3, 1024, 0>>() / 1024;
+    assert!(bytes <= 200, "{bytes}");
 }

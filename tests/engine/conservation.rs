@@ -1,16 +1,16 @@
 //! Are energy, momentum and angular momentum kept? Runs gases for many events; compares sums.
 
 use crate::gas::{elastic_spring, gas, length, rubber};
+use carom::HeapMemory;
 use carom::law::{HardSphere, Outside, Rule, Soft};
 use carom::{Release, World};
-use carom_host::heap_memory::HeapMemory;
 use proptest::prelude::*;
 
 const HARD: HardSphere<f64> = HardSphere { restitution: 1.0 };
 
 /// Relative drift of energy, and of momentum in units of Σ m |v|, over `events` events in a periodic box.
 fn drift(rule: impl Rule<f64>, events: u64) -> (f64, f64) {
-    let mut storage = HeapMemory::new(50);
+    let mut storage = HeapMemory::with_capacity(50);
     let mut world = World::builder(&mut storage)
         .periodic([[0.0, 8.0]; 3])
         .rule(rule)
@@ -72,7 +72,7 @@ fn angular_momentum(release: Release, seed: u64) -> (f64, u64) {
     };
     let start: f64 = grains.iter().map(of).sum();
     let lever = |g: &carom::Grain<f64, 2>| g.mass * length(&g.position) * length(&g.velocity);
-    let mut storage = HeapMemory::new(30);
+    let mut storage = HeapMemory::with_capacity(30);
     let soft = Soft::linear_dashpot(
         carom::law::LinearDashpot { stiffness: 2.0e2, damping: 0.5 },
         Outside::Clamp,
@@ -115,7 +115,7 @@ proptest! {
 
     #[test]
     fn dissipation_never_adds_energy(seed in 0_u64..1000, epsilon in 0.1..1.0_f64) {
-        let mut storage = HeapMemory::new(20);
+        let mut storage = HeapMemory::with_capacity(20);
         let mut world = World::builder(&mut storage)
             .hard_walls([[0.0, 6.0]; 2], 1.0)
             .rule(HardSphere { restitution: epsilon })
@@ -132,7 +132,7 @@ proptest! {
 
     #[test]
     fn viscoelastic_contacts_lose_energy_and_keep_momentum(seed in 0_u64..1000) {
-        let mut storage = HeapMemory::new(20);
+        let mut storage = HeapMemory::with_capacity(20);
         let mut world = World::builder(&mut storage)
             .periodic([[0.0, 6.0]; 2])
             .rule(Soft::viscoelastic(rubber(), Outside::HardSphere))

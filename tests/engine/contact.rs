@@ -26,7 +26,7 @@ fn a_central_elastic_contact_lasts_half_a_period_and_swaps_velocities() {
     let end = world.step().unwrap().unwrap();
     let duration = std::f64::consts::PI * (1.0_f64 / 1.0e4).sqrt();
     let error = (end.at.as_f64() - 1.0 - duration).abs() / duration;
-    let promised = carom::law::embedded::linear_dashpot().certificate.largest.tau;
+    let promised = carom::law::embedded::standard::LINEAR_DASHPOT.certificate.largest.tau;
     assert!(error <= promised, "{error:e} against {promised:e}");
     assert_eq!((end.kind, end.outcome), (EventKind::ContactEnd, Some(EventOutcome::ContactEnded)));
     assert!(world.grain(0).unwrap().velocity[0].abs() < 1e-15);

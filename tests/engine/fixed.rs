@@ -1,7 +1,7 @@
 //! Does the engine run in fixed point as in floats? Runs in I32F32 and I16F16; compares with f64 and conservation laws.
 
 use carom::detect::root;
-use carom::law::embedded::Embedded;
+use carom::law::embedded::{Standard, TableSet};
 use carom::law::{HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
 use carom::scalar::{I16F16, I32F32, Real, TimeSpan, Vector};
 use carom::space::{Plane, Surface, Vibration};
@@ -158,7 +158,10 @@ fn sixteen_bits_run_in_suitable_units() {
 }
 
 /// Two grains collide obliquely; their states after so long, as the second sees the first and the other way.
-fn pair<S: Embedded>(turned: bool) -> [Grain<S, 2>; 2] {
+fn pair<S: Scalar>(turned: bool) -> [Grain<S, 2>; 2]
+where
+    Standard: TableSet<S>,
+{
     let sign = if turned { -1.0 } else { 1.0 };
     let grain = |s: f64| {
         let v = [-0.4 * s, -0.1 * s].map(n);

@@ -2,54 +2,7 @@
 
 use super::gas::{damped_spring, elastic_spring, gas, rubber};
 use carom::law::{HardSphere, Outside, Rule, Soft};
-use carom::scalar::Vector;
-use carom::space::Link;
-use carom::world::Buffers;
-use carom::world::ScheduledEvent;
-use carom::{Grain, Scalar, Storage, World};
-use carom::{
-    particle::Body,
-    space::{Plane, Surface},
-};
-
-/// Memory with as many heads of cells as a test wants; without any, all pairs are neighbours.
-struct Heads<S: Scalar, const D: usize> {
-    bodies: Vec<Body<S, D>>,
-    events: Vec<ScheduledEvent<S>>,
-    tree: Vec<u32>,
-    links: Vec<Link>,
-    heads: Vec<u32>,
-    planes: Vec<Plane<S, D>>,
-    accelerations: Vec<Vector<S, D>>,
-}
-
-impl<S: Scalar, const D: usize> Heads<S, D> {
-    fn new(grains: usize, heads: usize) -> Self {
-        Self {
-            bodies: vec![Body::default(); grains],
-            events: vec![ScheduledEvent::default(); grains],
-            tree: vec![0; grains],
-            links: vec![Link::default(); grains],
-            heads: vec![0; heads],
-            planes: vec![Plane::new([S::zero(); D], S::zero(), Surface::Rule); 8],
-            accelerations: vec![Vector::zeros(); grains],
-        }
-    }
-}
-
-impl<S: Scalar, const D: usize> Storage<S, D> for Heads<S, D> {
-    fn buffers(&mut self) -> Buffers<'_, S, D> {
-        Buffers {
-            bodies: &mut self.bodies,
-            events: &mut self.events,
-            tree: &mut self.tree,
-            links: &mut self.links,
-            heads: &mut self.heads,
-            planes: &mut self.planes,
-            accelerations: &mut self.accelerations,
-        }
-    }
-}
+use carom::{Grain, HeapMemory, Scalar, World};
 
 /// A scene in which neighbours can be found in different ways.
 struct Scene<S: Scalar, const D: usize> {
@@ -66,7 +19,7 @@ fn digests<S: Scalar, const D: usize, R: Rule<S>>(
     heads: usize,
     events: u64,
 ) -> (Vec<u64>, u64) {
-    let mut memory = Heads::<S, D>::new(scene.grains.len(), heads);
+    let mut memory = HeapMemory::<S, D>::with_capacity(scene.grains.len()).with_cells(heads);
     let builder = World::builder(&mut memory).gravity(scene.gravity).rule(rule);
     let sides = [[S::zero(), scene.side]; D];
     let builder = if scene.periodic { builder.periodic(sides) } else { builder.walls(sides) };

@@ -2,15 +2,10 @@
 
 use crate::gas::damped_spring;
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft, Viscoelastic};
-use carom::scalar::Vector;
-use carom::space::Link;
-use carom::world::ScheduledEvent;
-use carom::world::{Buffers, Snapshot};
-use carom::{Error, Grain, Instant, Memory, Storage, World};
-use carom::{
-    particle::Body,
-    space::{Plane, Surface},
-};
+use carom::particle::Body;
+use carom::space::{Plane, Surface};
+use carom::world::{Buffers, ScheduledEvent, Snapshot};
+use carom::{Error, Grain, HeapMemory, Instant, Memory, Storage, World};
 
 const ELASTIC: HardSphere<f64> = HardSphere { restitution: 1.0 };
 
@@ -111,44 +106,30 @@ fn advancing_twice_to_the_same_instant_is_allowed() {
     }
 }
 
-/// Memory with one short slice.
-struct ShortSlices {
-    bodies: Vec<Body<f64, 1>>,
-    events: Vec<ScheduledEvent<f64>>,
-    tree: Vec<u32>,
-    links: Vec<Link>,
-    heads: Vec<u32>,
-    planes: Vec<Plane<f64, 1>>,
-    accelerations: Vec<Vector<f64, 1>>,
+/// Memory for two grains with one slice for one only.
+struct ShortSlice {
+    memory: HeapMemory<f64, 1>,
+    short: usize,
 }
 
-impl Storage<f64, 1> for ShortSlices {
+impl Storage<f64, 1> for ShortSlice {
     fn buffers(&mut self) -> Buffers<'_, f64, 1> {
-        Buffers {
-            bodies: &mut self.bodies,
-            events: &mut self.events,
-            tree: &mut self.tree,
-            links: &mut self.links,
-            heads: &mut self.heads,
-            planes: &mut self.planes,
-            accelerations: &mut self.accelerations,
+        let mut lent = self.memory.buffers();
+        match self.short {
+            0 => lent.bodies = &mut lent.bodies[..1],
+            1 => lent.events = &mut lent.events[..1],
+            2 => lent.tree = &mut lent.tree[..1],
+            3 => lent.links = &mut lent.links[..1],
+            _ => lent.accelerations = &mut lent.accelerations[..1],
         }
+        lent
     }
 }
 
 #[test]
 fn a_short_slice_is_a_full_memory() {
     for short in 0..5 {
-        let n = |which: usize| if which == short { 1 } else { 2 };
-        let mut memory = ShortSlices {
-            bodies: vec![Body::default(); n(0)],
-            events: vec![ScheduledEvent::default(); n(1)],
-            tree: vec![0; n(2)],
-            links: vec![Link::default(); n(3)],
-            heads: vec![],
-            planes: vec![],
-            accelerations: vec![Vector::zeros(); n(4)],
-        };
+        let mut memory = ShortSlice { memory: HeapMemory::with_capacity(2), short };
         let builder = World::builder(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
         let second = builder.grain(Grain::with_mass(0.5, 1.0).at([2.0]));
         assert!(matches!(second, Err(Error::Full { capacity: 1, .. })), "slice {short}");

@@ -1,17 +1,17 @@
 //! Is a restored world the same world? Saves through JSON in the middle of contacts; compares digests.
 
 use crate::gas::{damped_spring, gas};
+use carom::HeapMemory;
 use carom::law::{HardSphere, Outside, Soft};
 use carom::particle::Body;
 use carom::space::{Plane, Surface};
 use carom::world::{ScheduledEvent, Snapshot, Statistics};
 use carom::{Memory, World};
-use carom_host::heap_memory::HeapMemory;
 
 #[test]
 fn a_snapshot_goes_on_with_the_same_bits() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
-    let mut storage = HeapMemory::new(20);
+    let mut storage = HeapMemory::with_capacity(20);
     let mut world = World::builder(&mut storage)
         .walls([[0.0, 5.0]; 2])
         .gravity([0.0, -0.1])
@@ -43,7 +43,7 @@ fn a_snapshot_goes_on_with_the_same_bits() {
 #[test]
 fn a_snapshot_that_is_not_one_is_refused() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
-    let mut storage = HeapMemory::new(2);
+    let mut storage = HeapMemory::with_capacity(2);
     let world = World::builder(&mut storage)
         .rule(rule)
         .grains(gas::<f64, 2>(2, 1, 5.0, [0.2, 0.4]))
@@ -70,7 +70,7 @@ fn a_snapshot_that_is_not_one_is_refused() {
 #[test]
 fn statistics_decide_nothing() {
     let rule = HardSphere { restitution: 0.6 };
-    let mut storage = HeapMemory::new(24);
+    let mut storage = HeapMemory::with_capacity(24);
     let mut world = World::builder(&mut storage)
         .plane(Plane::new([1.0, 0.0], 0.0, Surface::Hard(0.5)))
         .plane(Plane::new([-1.0, 0.0], -3.1, Surface::Hard(0.5)))
@@ -90,7 +90,7 @@ fn statistics_decide_nothing() {
     }
     let saved: Snapshot<f64, 2, Vec<Body<f64, 2>>, Vec<ScheduledEvent<f64>>> =
         serde_json::from_value(saved).unwrap();
-    let mut memory = HeapMemory::new(24);
+    let mut memory = HeapMemory::with_capacity(24);
     let mut again = World::restore(&mut memory, rule, &saved).unwrap();
     assert_eq!(again.statistics(), &Statistics::default());
     for event in 0..20_000 {

@@ -1,10 +1,10 @@
 //! Does it matter who is who, where, and how fast the laboratory moves? Compares runs of transformed gases.
 
 use crate::gas::{damped_spring, gas};
+use carom::HeapMemory;
 use carom::law::{Outside, Soft};
 use carom::scalar::Vector;
 use carom::{Grain, World};
-use carom_host::heap_memory::HeapMemory;
 use proptest::prelude::*;
 
 const LENGTH: f64 = 6.0;
@@ -14,7 +14,7 @@ const TIME: f64 = 3.0;
 
 /// Positions and velocities afterwards, in the periodic box; none if nothing collided.
 fn run(grains: &[Grain<f64, 2>]) -> Option<Vec<Grain<f64, 2>>> {
-    let mut storage = HeapMemory::new(grains.len());
+    let mut storage = HeapMemory::with_capacity(grains.len());
     let mut world = World::builder(&mut storage)
         .periodic([[0.0, LENGTH]; 2])
         .rule(Soft::linear_dashpot(damped_spring(), Outside::HardSphere))

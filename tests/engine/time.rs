@@ -1,10 +1,10 @@
 //! Is time in order, exact, and independent of observers? Runs, long runs, and observed runs.
 
 use crate::gas::{damped_spring, elastic_spring, gas, length};
+use carom::HeapMemory;
 use carom::law::{HardSphere, Outside, Soft};
 use carom::world::Event;
 use carom::{Grain, Instant, Memory, Observer, Scalar, View, World};
-use carom_host::heap_memory::HeapMemory;
 
 /// An elastic ball between two hard walls, one length apart: it hits one of them every unit of time.
 /// Returns the largest deviation of the interval between hits, over `hits` of them.
@@ -83,7 +83,7 @@ impl Observer<f64, 3> for InOrder {
 #[test]
 fn events_come_in_order_and_observing_changes_nothing() {
     let run = |steps: u32, observed: bool| {
-        let mut storage = HeapMemory::new(30);
+        let mut storage = HeapMemory::with_capacity(30);
         let mut world = World::builder(&mut storage)
             .periodic([[0.0, 6.0]; 3])
             .rule(Soft::linear_dashpot(damped_spring(), Outside::HardSphere))
@@ -111,7 +111,7 @@ fn events_come_in_order_and_observing_changes_nothing() {
 /// Stable detection (BSFP14): between events no pair that overlaps gets closer, whatever the rule did.
 #[test]
 fn no_overlap_gets_deeper_in_free_flight() {
-    let mut storage = HeapMemory::new(30);
+    let mut storage = HeapMemory::with_capacity(30);
     let mut world = World::builder(&mut storage)
         .periodic([[0.0, 4.0]; 2])
         .rule(HardSphere { restitution: 0.8 })
@@ -139,7 +139,7 @@ fn no_overlap_gets_deeper_in_free_flight() {
 
 #[test]
 fn next_event_time_is_never_late() {
-    let mut storage = HeapMemory::new(20);
+    let mut storage = HeapMemory::with_capacity(20);
     let mut world = World::builder(&mut storage)
         .periodic([[0.0, 5.0]; 2])
         .rule(Soft::linear_dashpot(elastic_spring(), Outside::HardSphere))

@@ -33,7 +33,7 @@ fn check(seeds: std::ops::Range<u64>) {
     assert!(integrated.by_collision[0].len() > runs * 3 / 4);
     // The table starts at its certificate: an angle wrong by the certified error, carried to the sample
     // just after the contact, displaces by no more than the same fraction of l, and so does the rest.
-    let certificate = carom::law::embedded::viscoelastic().certificate.largest;
+    let certificate = carom::law::embedded::standard::VISCOELASTIC.certificate.largest;
     let promised = certificate.angle + certificate.separation + certificate.speed + certificate.tau;
     assert!(max(table, 0) < promised, "{:e} against {promised:e}", max(table, 0));
     assert!(median(hard, 0) > 100.0 * max(table, 0).max(1e-9));

@@ -1,8 +1,8 @@
 //! Does a freely cooling gas obey Haff's law? Runs hard inelastic spheres; checks the temperature against theory.
 
+use carom::HeapMemory;
 use carom::law::HardSphere;
 use carom::{Grain, World};
-use carom_host::heap_memory::HeapMemory;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -35,7 +35,7 @@ fn lattice(length: f64) -> Vec<Grain<f64, 3>> {
 #[test]
 fn a_cooling_gas_follows_haffs_law_within_two_per_cent() {
     let length = (std::f64::consts::PI / 6.0 * GRAINS as f64 / PACKING).cbrt();
-    let mut storage = HeapMemory::new(GRAINS);
+    let mut storage = HeapMemory::with_capacity(GRAINS);
     let rule = |restitution| HardSphere { restitution };
     // Elastic collisions first, until the velocities are Maxwellian.
     let mut world = World::builder(&mut storage)
@@ -49,7 +49,7 @@ fn a_cooling_gas_follows_haffs_law_within_two_per_cent() {
         world.step().unwrap();
     }
     let start: Vec<_> = (0..GRAINS).map(|i| world.grain(i).unwrap()).collect();
-    let mut storage = HeapMemory::new(GRAINS);
+    let mut storage = HeapMemory::with_capacity(GRAINS);
     let mut world = World::builder(&mut storage)
         .periodic([[0.0, length]; 3])
         .rule(rule(RESTITUTION))

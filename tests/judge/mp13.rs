@@ -1,12 +1,12 @@
 //! Do pressure and self-diffusion come out right (MP13, and what it leaves open)? Compares with one contact, hard spheres, and MD.
 
+use carom::HeapMemory;
 use carom::law::{Outside, Soft, Viscoelastic};
 use carom::{Grain, World};
 use carom_host::figure::fit;
 use carom_host::figure::hard::pressure;
 use carom_host::figure::mp13::gas::{POISSON, SoftGas};
 use carom_host::figure::mp13::measure::{Effort, Flux, Measured, Variant, enskog, measure};
-use carom_host::heap_memory::HeapMemory;
 use carom_reference::{Boundary, End, ForceLaw, System, Verlet, VerletOptions};
 
 const RADIUS: f64 = 0.1;
@@ -27,7 +27,7 @@ fn moment(all: &[([f64; 3], [f64; 3])]) -> f64 {
 #[test]
 fn a_contact_adds_its_virial() {
     let law = Viscoelastic { young: 1e7, poisson: POISSON, dissipation: 0.0 };
-    let mut storage = HeapMemory::<f64, 3>::new(2);
+    let mut storage = HeapMemory::<f64, 3>::with_capacity(2);
     let half = 0.5 * SIDE;
     let grain = |(r, v)| Grain::with_mass(RADIUS, MASS).at(r).moving(v);
     let builder = World::builder(&mut storage).periodic([[-half, half]; 3]);

@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use carom::Error;
-use carom::law::embedded::{Embedded, read::Table};
+use carom::law::embedded::read::Table;
 use carom::scalar::I32F32;
 use carom_scenes::Number;
 use carom_scenes::tilt::{self, Board};
@@ -35,9 +35,9 @@ fn run<S: Number>(table: &'static Table<S::Stored>, shown: bool) -> Result<(), E
 }
 
 fn main() -> Result<(), Error> {
-    run::<f32>(f32::viscoelastic(), true)?;
+    run::<f32>(<f32 as Number>::standard(), true)?;
     run::<f32>(f32::compact(), false)?;
-    run::<f64>(f64::viscoelastic(), false)?;
-    run::<I32F32>(I32F32::viscoelastic(), false)?;
+    run::<f64>(<f64 as Number>::standard(), false)?;
+    run::<I32F32>(<I32F32 as Number>::standard(), false)?;
     run::<I32F32>(I32F32::compact(), false)
 }

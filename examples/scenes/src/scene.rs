@@ -1,6 +1,7 @@
 //! Which scenes are replayed? Reads nothing; builds a world in borrowed memory.
 
-use carom::law::embedded::{self, Embedded, read::Table};
+use carom::law::embedded::read::{Law, StoredNumber, Table};
+use carom::law::embedded::{Compact, Standard, TableSet, wide};
 use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic};
 use carom::scalar::I32F32;
 use carom::space::{Plane, Surface, Vibration};
@@ -58,32 +59,45 @@ pub(crate) fn grain<S: Scalar, const D: usize>(
 pub const GRAVITY: f64 = 9.81e-3;
 
 /// A number type in which everything here runs.
-pub trait Number: Embedded {
+pub trait Number: Scalar {
     /// Its name.
     const NAME: &str;
-    /// The compact table of the viscoelastic law; the standard one is the embedded one.
+    /// The number in which its tables are stored.
+    type Stored: StoredNumber;
+    /// The compact table of the viscoelastic law.
     fn compact() -> &'static Table<Self::Stored>;
+    /// The standard table of the viscoelastic law.
+    fn standard() -> &'static Table<Self::Stored>;
+    /// The standard table of linear spring-dashpots.
+    fn standard_dashpot() -> &'static Table<Self::Stored>;
 }
 
 macro_rules! number {
-    ($type:ident, $compact:ident) => {
+    ($type:ident) => {
         impl Number for $type {
             const NAME: &str = stringify!($type);
+            type Stored = <Standard as TableSet<$type>>::Stored;
             fn compact() -> &'static Table<Self::Stored> {
-                &embedded::compact::$compact
+                <Compact as TableSet<$type>>::table(Law::Viscoelastic)
+            }
+            fn standard() -> &'static Table<Self::Stored> {
+                <Standard as TableSet<$type>>::table(Law::Viscoelastic)
+            }
+            fn standard_dashpot() -> &'static Table<Self::Stored> {
+                <Standard as TableSet<$type>>::table(Law::LinearDashpot)
             }
         }
     };
 }
 
-number!(f32, VISCOELASTIC);
-number!(f64, VISCOELASTIC);
-number!(I32F32, VISCOELASTIC_I32F32);
+number!(f32);
+number!(f64);
+number!(I32F32);
 
 /// Linear spring-dashpots.
 pub type Dashpot<S, C> = Soft<LinearDashpot<S>, C>;
 /// Viscoelastic spheres.
-pub type Rubber<S> = Soft<Viscoelastic<S>, <S as Embedded>::Stored>;
+pub type Rubber<S> = Soft<Viscoelastic<S>, <S as Number>::Stored>;
 
 /// Rubber of 5 MPa with A = 0.01 ms, read from this table.
 pub(crate) fn rubber<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
@@ -97,12 +111,12 @@ pub(crate) fn rubber<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
 /// None unless the memory is too small.
 pub fn fig6<S: Number>(
     memory: &mut impl Storage<S, 2>,
-) -> Result<World<'_, S, 2, Dashpot<S, embedded::Stored>>, Error> {
+) -> Result<World<'_, S, 2, Dashpot<S, f32>>, Error> {
     let law = LinearDashpot { stiffness: n(2000.0), damping: n(0.0) };
     let pair = |at, moving| Grain::with_mass(n(0.1), n(4.775_220_8)).at(v(at)).moving(v(moving));
     World::builder(memory)
         .periodic([v([-0.5, 0.5]); 2])
-        .rule(Soft::with_table(law, &embedded::wide::LINEAR_DASHPOT, Outside::Clamp))
+        .rule(Soft::with_table(law, &wide::LINEAR_DASHPOT, Outside::Clamp))
         .grain(pair([0.0175, -0.120_393_92], [1.25, 2.5]))?
         .grain(pair([-0.0425, 0.120_393_92], [1.25, -2.5]))?
         .start()
@@ -123,7 +137,7 @@ pub fn box16<S: Number>(
     World::builder(memory)
         .walls([v([0.0, 12.0]); 2])
         .gravity(v([0.0, -GRAVITY]))
-        .rule(rubber(S::viscoelastic()))
+        .rule(rubber(S::standard()))
         .grains((0..16).map(site))?
         .start()
 }
@@ -156,7 +170,7 @@ pub fn gas32<S: Number>(
     };
     World::builder(memory)
         .periodic([v([0.0, 16.0]); 3])
-        .rule(Soft::viscoelastic(law, Outside::HardSphere))
+        .rule(Soft::with_table(law, S::standard(), Outside::HardSphere))
         .grains((0..32).map(site))?
         .start()
 }
@@ -174,7 +188,7 @@ pub fn column10<S: Number>(
     World::builder(memory)
         .plane(plate.vibrating(Vibration::new(n(1.0), n(0.025))))
         .gravity(v([-GRAVITY]))
-        .rule(Soft::linear_dashpot(law, Outside::HardSphere))
+        .rule(Soft::with_table(law, S::standard_dashpot(), Outside::HardSphere))
         .grains((0..10).map(bead))?
         .start()
 }

@@ -2,11 +2,14 @@
 
 use crate::integrate;
 use carom::law::ForceLaw;
-use carom::law::embedded::read::Law;
+use carom::law::embedded::{
+    read::{Law, Table},
+    standard,
+};
 use carom::law::{
     Answer, Central, ContactForce, HardSphere, Impact, LinearDashpot, Outside, Response, Rule, Soft, Viscoelastic,
 };
-use carom::{Error, law};
+use carom::Error;
 use core::sync::atomic::{AtomicU64, Ordering};
 
 /// How often a contact was integrated because it lies outside its law's table.
@@ -38,8 +41,8 @@ impl Rule<f64> for ChosenRule {
     fn collide(&self, impact: &Impact<f64>) -> Answer<f64> {
         match self.material {
             Material::Hard(restitution) => HardSphere { restitution }.collide(impact),
-            Material::Linear(law) => self.soft(law, law::embedded::linear_dashpot(), impact),
-            Material::Viscoelastic(law) => self.soft(law, law::embedded::viscoelastic(), impact),
+            Material::Linear(law) => self.soft(law, &standard::LINEAR_DASHPOT, impact),
+            Material::Viscoelastic(law) => self.soft(law, &standard::VISCOELASTIC, impact),
         }
     }
 
@@ -56,7 +59,7 @@ impl ChosenRule {
     fn soft<L: ForceLaw<f64> + Copy>(
         &self,
         law: L,
-        table: &'static law::embedded::read::Table<law::embedded::Stored>,
+        table: &'static Table<f32>,
         impact: &Impact<f64>,
     ) -> Answer<f64> {
         let table = Soft::with_table(law, table, self.outside.unwrap_or(Outside::Reject));
@@ -68,7 +71,7 @@ impl ChosenRule {
 /// The table inside its domain, the contact equation integrated outside.
 struct TableOrIntegrated<L> {
     law: L,
-    table: Soft<L, law::embedded::Stored>,
+    table: Soft<L>,
     integrate: bool,
 }
 

@@ -1,13 +1,13 @@
 //! By which method and rule does a scenario run? Reads a scenario; writes nothing, hands out one running method.
 
 use super::implementations::{EventDriven, ForceBased, Method};
-use crate::heap_memory::HeapMemory;
 use crate::integrated::Integrated;
 use crate::scenario::{
     LawSpec, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side, Start,
 };
 use crate::tables::embedded;
 use anyhow::{Context, Result, bail};
+use carom::HeapMemory;
 use carom::law::{Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::WorldBuilder;
@@ -78,7 +78,7 @@ fn with_world<const D: usize, T>(
     work: impl FnOnce(&mut dyn Method) -> Result<T>,
 ) -> Result<T> {
     let rule = rule(name, scenario)?;
-    let mut storage = HeapMemory::<f64, D>::new(start.grains.len());
+    let mut storage = HeapMemory::<f64, D>::with_capacity(start.grains.len());
     let builder = World::builder(&mut storage).gravity(first(&start.gravity));
     let builder =
         enclose(builder.release(release(scenario)).tc(scenario.options.tc), start).rule(&*rule);

@@ -2,7 +2,7 @@
 
 use super::input::Input;
 use carom::Scalar;
-use carom::law::embedded::{Stored, compact, read::Table, standard, wide};
+use carom::law::embedded::{compact, read::Table, standard, wide};
 use carom::law::{
     ByMaterial, Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic,
 };
@@ -30,7 +30,7 @@ pub fn rule<S: Scalar>(input: &mut Input<'_>) -> DrawnRule<S> {
         ),
         4 => {
             let law = linear_dashpot(input);
-            let table = carom::law::embedded::linear_dashpot();
+            let table = &standard::LINEAR_DASHPOT;
             let rule = Central(Soft::with_table(law, table, Outside::Clamp));
             DrawnRule { rule: Box::new(rule), energy_gain: 1e-3 }
         }
@@ -53,10 +53,10 @@ fn hard<S: Scalar>(input: &mut Input<'_>) -> DrawnRule<S> {
 fn soft<S: Scalar, L>(
     input: &mut Input<'_>,
     law: impl Fn(&mut Input<'_>) -> L,
-    tables: [&'static Table<Stored>; 3],
+    tables: [&'static Table<f32>; 3],
 ) -> DrawnRule<S>
 where
-    Soft<L, Stored>: Rule<S> + 'static,
+    Soft<L>: Rule<S> + 'static,
 {
     let table = tables[usize::from(input.below(3))];
     let outside =

@@ -9,7 +9,7 @@ pub mod replay;
 pub mod stack;
 
 use carom::Instant;
-use carom::law::embedded::{Embedded, read::Table};
+use carom::law::embedded::read::Table;
 use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
 use cortex_m::peripheral::syst::SystClkSource;
@@ -42,8 +42,8 @@ pub type Number = carom::scalar::I32F32;
 
 /// The table of this board's tilt box: the compact one where flash is short.
 #[must_use]
-pub fn table() -> &'static Table<<Number as Embedded>::Stored> {
-    if M4F { Number::viscoelastic() } else { Number::compact() }
+pub fn table() -> &'static Table<<Number as carom_scenes::Number>::Stored> {
+    if M4F { Number::standard() } else { Number::compact() }
 }
 
 /// The board: its clock.

@@ -9,7 +9,7 @@ pub mod replay;
 pub mod stack;
 
 use carom::Instant;
-use carom::law::embedded::{Embedded, read::Table};
+use carom::law::embedded::read::Table;
 use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
 use semihosting::sys::arm_compat::sys_writec;
@@ -22,7 +22,7 @@ pub type Number = carom::scalar::I32F32;
 
 /// The table of this board's tilt box: the compact one.
 #[must_use]
-pub fn table() -> &'static Table<<Number as Embedded>::Stored> {
+pub fn table() -> &'static Table<<Number as carom_scenes::Number>::Stored> {
     Number::compact()
 }
 

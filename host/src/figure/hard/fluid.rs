@@ -7,8 +7,8 @@
 //! A strongly dissipative one ends in bands that stream past each other and hardly collide. Then
 //! velocities are drawn anew, of grains where they are: a dense cluster is heated, and cools again.
 
-use crate::heap_memory::HeapMemory;
 use anyhow::{Context, Result, bail, ensure};
+use carom::HeapMemory;
 use carom::law::HardSphere;
 use carom::world::{Event, EventOutcome};
 use carom::{Grain, Instant, Observer, Statistics, World};
@@ -103,7 +103,7 @@ impl Fluid {
     /// # Errors
     /// An error of the engine.
     pub fn equilibrium<const D: usize>(&self, per_grain: u64) -> Result<Vec<Grain<f64, D>>> {
-        let mut storage = HeapMemory::new(self.grains);
+        let mut storage = HeapMemory::with_capacity(self.grains);
         let elastic = Self { restitution: 1.0, ..*self };
         let mut world = elastic.world(&mut storage, self.lattice()?)?;
         while world.statistics().collisions < per_grain * self.grains as u64 / 2 {
@@ -169,7 +169,12 @@ pub struct RunState {
 impl Run {
     /// A gas that starts from these grains.
     pub fn new(fluid: Fluid, grains: Vec<Grain<f64, 3>>) -> Self {
-        Self { storage: HeapMemory::new(fluid.grains), fluid, grains, state: RunState::default() }
+        Self {
+            storage: HeapMemory::with_capacity(fluid.grains),
+            fluid,
+            grains,
+            state: RunState::default(),
+        }
     }
 
     /// Runs until so many collisions have happened since the start; `each` is called whenever every grain

@@ -1,8 +1,8 @@
 //! What are the pressure and the mean free time of a fluid, and what should they be? Runs an elastic one; writes means with errors.
 
 use super::fluid::Fluid;
-use crate::heap_memory::HeapMemory;
 use anyhow::Result;
+use carom::HeapMemory;
 use carom::world::{Event, EventKind};
 use carom::{Instant, Observer, View};
 use std::f64::consts::PI;
@@ -51,7 +51,7 @@ pub fn measure<const D: usize>(
 ) -> Result<Measured> {
     let n = fluid.grains;
     let start = fluid.equilibrium::<D>(plan.equilibrate)?;
-    let mut storage = HeapMemory::new(n);
+    let mut storage = HeapMemory::with_capacity(n);
     let mut world = fluid.world(&mut storage, start)?;
     let energy = world.view().kinetic_energy();
     let kt = 2.0 * energy / (D * (n - 1)) as f64;

@@ -1,9 +1,9 @@
 //! What becomes of the same column event by event? Reads a column; writes velocities after the impact, by ED and by eMD*.
 
 use super::column::{Column, Outcome};
-use crate::heap_memory::HeapMemory;
 use crate::integrated::Integrated;
 use anyhow::{Context, Result, bail};
+use carom::HeapMemory;
 use carom::law::{HardSphere, LinearDashpot, Rule};
 use carom::space::{Plane, Surface};
 use carom::world::Statistics;
@@ -77,7 +77,7 @@ pub fn heights(
 ) -> Result<Vec<Vec<f64>>> {
     let law = dashpot(law)?;
     let [pair, wall] = restitution(&law);
-    let mut storage = HeapMemory::<f64, 1>::new(column.beads);
+    let mut storage = HeapMemory::<f64, 1>::with_capacity(column.beads);
     match variant {
         Variant::Instant => {
             let rule = HardSphere { restitution: pair };
@@ -127,7 +127,7 @@ fn sampled<R: Rule<f64>>(world: &mut World<'_, f64, 1, R>, times: &[f64]) -> Res
 }
 
 fn run<R: Rule<f64>>(column: &Column, rule: R, surface: Surface<f64>) -> Result<Outcome> {
-    let mut storage = HeapMemory::<f64, 1>::new(column.beads);
+    let mut storage = HeapMemory::<f64, 1>::with_capacity(column.beads);
     let mut world = start(column, &mut storage, rule, surface)?;
     for event in 0..LONGEST {
         let over = world.step()?.is_none();

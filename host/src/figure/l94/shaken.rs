@@ -4,11 +4,11 @@ use super::hard;
 use crate::figure::data::{Figure, Made, Note, Options, Series};
 use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::figure::fit;
-use crate::heap_memory::HeapMemory;
 use crate::integrated::Integrated;
 use crate::plot::Scene;
 use crate::progress::Progress;
 use anyhow::{Result, ensure};
+use carom::HeapMemory;
 use carom::law::{HardSphere, Rule};
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::Statistics;
@@ -110,7 +110,7 @@ impl Shaken {
     /// An error of the engine.
     pub fn by_ed(&self, times: &[f64]) -> Result<(Vec<Vec<f64>>, Statistics)> {
         let [pair, wall] = hard::restitution(&hard::dashpot(&self.law()?)?);
-        let mut storage = HeapMemory::<f64, 1>::new(self.beads);
+        let mut storage = HeapMemory::<f64, 1>::with_capacity(self.beads);
         let rule = HardSphere { restitution: pair };
         let world = self.on(World::builder(&mut storage).rule(rule), Surface::Hard(wall))?;
         hard::counted(world, times)
@@ -122,7 +122,7 @@ impl Shaken {
     /// An error of the engine.
     pub fn by_star(&self, times: &[f64]) -> Result<(Vec<Vec<f64>>, Statistics)> {
         let law = hard::dashpot(&self.law()?)?;
-        let mut storage = HeapMemory::<f64, 1>::new(self.beads);
+        let mut storage = HeapMemory::<f64, 1>::with_capacity(self.beads);
         let rule = Integrated::new(law).ending(carom_tables::read::End::Overlap);
         let world = self.on(World::builder(&mut storage).rule(rule), Surface::Rule)?;
         hard::counted(world, times)

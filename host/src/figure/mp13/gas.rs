@@ -3,11 +3,11 @@
 use crate::figure::data::{Figure, Made, Note, Options, Series};
 use crate::figure::draw::{self, Mark, PlotStyle, Scale};
 use crate::figure::hard::Fluid;
-use crate::heap_memory::HeapMemory;
 use crate::plot::{Colour, Scene};
 use crate::progress::Progress;
 use crate::tables::{Size, embedded};
 use anyhow::{Context, Result};
+use carom::HeapMemory;
 use carom::law::{Outside, Soft, Viscoelastic};
 use carom::{Grain, Statistics, World};
 use carom_tables::read::Law;
@@ -105,7 +105,7 @@ impl SoftGas {
     /// An error of the engine.
     pub fn count(&self, collisions: u64) -> Result<Counted> {
         let half = 0.5 * self.edge();
-        let mut storage = HeapMemory::<f64, 3>::new(self.grains);
+        let mut storage = HeapMemory::<f64, 3>::with_capacity(self.grains);
         let builder = World::builder(&mut storage).periodic([[-half, half]; 3]).rule(self.rule());
         let mut world = builder.grains(self.start()?)?.start()?;
         while world.statistics().collisions < collisions {

@@ -2,8 +2,8 @@
 
 use super::gas::{POISSON, RADIUS, SPEED, SoftGas, mass};
 use crate::figure::hard::pressure;
-use crate::heap_memory::HeapMemory;
 use anyhow::Result;
+use carom::HeapMemory;
 use carom::law::{Central, Rule};
 use carom::world::Event;
 use carom::world::{EventKind, EventOutcome};
@@ -133,7 +133,7 @@ pub fn measure(gas: &SoftGas, variant: Variant, effort: Effort) -> Result<Measur
 
 fn by_events(gas: &SoftGas, rule: impl Rule<f64>, effort: Effort) -> Result<Measured> {
     let (half, clock) = (0.5 * gas.edge(), Clock::new(gas, effort));
-    let mut storage = HeapMemory::<f64, 3>::new(gas.grains);
+    let mut storage = HeapMemory::<f64, 3>::with_capacity(gas.grains);
     let builder = World::builder(&mut storage).periodic([[-half, half]; 3]).rule(rule);
     let mut world = builder.grains(gas.start()?)?.start()?;
     let energy = world.view().kinetic_energy();

@@ -2,7 +2,6 @@
 #![no_std]
 #![no_main]
 
-use carom::law::embedded::Embedded;
 use carom_cortex_m::{Chip, M4F, MPS2, Number, STACK, app};
 use carom_scenes::Number as _;
 use cortex_m_rt::entry;
@@ -11,7 +10,7 @@ use semihosting::process;
 #[entry]
 fn main() -> ! {
     let Some(peripherals) = cortex_m::Peripherals::take() else { process::exit(2) };
-    let tables = [("compact", Number::compact()), ("standard", Number::viscoelastic())];
+    let tables = [("compact", Number::compact()), ("standard", Number::standard())];
     // A soft multiplication takes hundreds of instructions: one table says enough there.
     let tables = if M4F { &tables[..] } else { &tables[..1] };
     app::measure_all::<Number>(tables, STACK, &mut Chip::start(peripherals.SYST, MPS2));

@@ -1,0 +1,104 @@
+//! Do cargo features only add? Builds two small crates alone and in one workspace; compares what they print.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// With the compact tables alone.
+const ONE: &str = r#"
+use carom::law::embedded::{Compact, compact, read::Table};
+use carom::law::{Outside, Soft, Viscoelastic};
+use carom::{Grain, Memory, World};
+
+fn main() -> Result<(), carom::Error> {
+    let table: &Table<f32> = &compact::VISCOELASTIC;
+    let law = Viscoelastic { young: 5.0e6, poisson: 0.4, dissipation: 1.0e-4 };
+    let mut memory = Memory::<f64, 2, 4>::new();
+    let mut world = World::builder(&mut memory)
+        .walls([[0.0, 0.02]; 2])
+        .rule(Soft::embedded(law, Compact, Outside::HardSphere))
+        .grains((0..4).map(|i| {
+            let x = 0.004 * f64::from(i + 1);
+            Grain::sphere(1.0e-3, 2500.0).at([x, 0.005]).moving([0.7 - 40.0 * x, 0.5])
+        }))?
+        .start()?;
+    world.advance_to(0.2)?;
+    println!("{:016x} {:e}", world.digest(), table.certificate.largest.tau);
+    Ok(())
+}
+"#;
+
+/// With the default rule and everything else.
+const OTHER: &str = r#"
+use carom::law::embedded::{standard, read::Table};
+use carom::law::{LinearDashpot, Outside, Soft};
+use carom::scalar::{I32F32, Real};
+use carom::{Grain, HeapMemory, World};
+
+fn main() -> Result<(), carom::Error> {
+    let table: &Table<f64> = &standard::VISCOELASTIC_F64;
+    let n = I32F32::from_f64;
+    let law = LinearDashpot { stiffness: n(1.0e3), damping: n(0.5) };
+    let mut memory = HeapMemory::<I32F32, 2>::with_capacity(4);
+    let mut world = World::builder(&mut memory)
+        .walls([[n(0.0), n(20.0)]; 2])
+        .rule(Soft::linear_dashpot(law, Outside::HardSphere))
+        .grains((0..4).map(|i| {
+            let x = 4.0 * f64::from(i + 1);
+            Grain::with_mass(n(1.0), n(1.0)).at([n(x), n(5.0)]).moving([n(1.0 - 0.1 * x), n(0.5)])
+        }))?
+        .start()?;
+    world.advance_to(n(200.0))?;
+    println!("{:016x} {:e}", world.digest(), table.certificate.largest.tau);
+    Ok(())
+}
+"#;
+
+fn write_crate(workspace: &Path, name: &str, features: &str, main: &str) {
+    let carom = env!("CARGO_MANIFEST_DIR");
+    let folder = workspace.join(name);
+    fs::create_dir_all(folder.join("src")).unwrap();
+    let manifest = format!(
+        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\
+         [dependencies]\ncarom = {{ path = {carom:?}, default-features = false, features = [{features}] }}\n"
+    );
+    fs::write(folder.join("Cargo.toml"), manifest).unwrap();
+    fs::write(folder.join("src/main.rs"), main).unwrap();
+}
+
+/// What cargo, called so in the workspace, prints.
+fn cargo(workspace: &Path, arguments: &[&str]) -> String {
+    let done = Command::new(env!("CARGO"))
+        .current_dir(workspace)
+        .env("CARGO_TARGET_DIR", workspace.join("target"))
+        .args(arguments)
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    String::from_utf8(done.stdout).unwrap()
+}
+
+#[test]
+#[ignore = "builds carom three times"]
+fn a_feature_switched_on_elsewhere_changes_nothing() {
+    let workspace = Path::new(env!("CARGO_TARGET_TMPDIR")).join("features");
+    write_crate(&workspace, "one", "\"compact\"", ONE);
+    let all =
+        "\"alloc\", \"standard\", \"wide\", \"f64-tables\", \"fixed\", \"serde\", \"micromath\"";
+    write_crate(&workspace, "other", all, OTHER);
+    let manifest = "[workspace]\nmembers = [\"one\", \"other\"]\nresolver = \"3\"\n\
+                    [profile.dev.package.carom-tables]\nopt-level = 3\n";
+    fs::write(workspace.join("Cargo.toml"), manifest).unwrap();
+    fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.lock"), workspace.join("Cargo.lock"))
+        .unwrap();
+
+    let alone = ["one", "other"].map(|name| cargo(&workspace, &["run", "--quiet", "-p", name]));
+    cargo(&workspace, &["build", "--quiet", "--workspace"]);
+    let together = ["one", "other"].map(|name| {
+        let program = workspace.join("target/debug").join(name);
+        let done = Command::new(program).output().unwrap();
+        String::from_utf8(done.stdout).unwrap()
+    });
+    assert_eq!(alone, together);
+    assert!(alone[0].len() > 20 && alone[0] != alone[1]);
+}
