@@ -73,7 +73,8 @@ pub enum Error {
         /// What would be right.
         wanted: &'static str,
     },
-    /// Too many events at one instant: a collapse the rule does not resolve.
+    /// Too many events at one instant: a collapse the rule does not resolve. With `Enduring::Integrated`
+    /// there is none: forces take over.
     Stuck {
         /// The grain of the last event.
         grain: usize,
