@@ -4,7 +4,14 @@
 //! [`Wide`]. What a program computes does not depend on which features another crate switches on.
 
 use crate::scalar::Scalar;
+#[cfg(all(
+    feature = "fixed",
+    any(feature = "compact", feature = "standard", feature = "wide")
+))]
+use crate::scalar::{I16F16, I32F32};
 pub use carom_tables::read;
+#[cfg(all(feature = "fixed", any(feature = "compact", feature = "standard")))]
+use carom_tables::read::Quantised;
 use carom_tables::read::{Law, StoredNumber, Table};
 
 /// What build.rs made.
@@ -44,61 +51,56 @@ pub struct Wide;
 
 #[cfg(any(feature = "compact", feature = "standard", feature = "wide"))]
 macro_rules! table_set {
-    ($set:ident, $number:ty, $stored:ty, $module:ident::{$linear:ident, $viscoelastic:ident}) => {
+    ($set:ident, $number:ty, $stored:ty, $linear:path, $viscoelastic:path) => {
         impl TableSet<$number> for $set {
             type Stored = $stored;
             fn table(law: Law) -> &'static Table<$stored> {
                 match law {
-                    Law::LinearDashpot => &$module::$linear,
-                    Law::Viscoelastic => &$module::$viscoelastic,
+                    Law::LinearDashpot => &$linear,
+                    Law::Viscoelastic => &$viscoelastic,
                 }
             }
         }
     };
 }
 
+/// A set whose tables are quantised for fixed point, too.
+#[cfg(any(feature = "compact", feature = "standard"))]
+macro_rules! quantised_table_set {
+    ($set:ident, $module:ident) => {
+        table_set!($set, f32, f32, $module::LINEAR_DASHPOT, $module::VISCOELASTIC);
+        table_set!($set, f64, f32, $module::LINEAR_DASHPOT, $module::VISCOELASTIC);
+        #[cfg(feature = "fixed")]
+        table_set!(
+            $set,
+            I32F32,
+            Quantised,
+            $module::LINEAR_DASHPOT_I32F32,
+            $module::VISCOELASTIC_I32F32
+        );
+        #[cfg(feature = "fixed")]
+        table_set!(
+            $set,
+            I16F16,
+            Quantised,
+            $module::LINEAR_DASHPOT_I16F16,
+            $module::VISCOELASTIC_I16F16
+        );
+    };
+}
+
 #[cfg(feature = "compact")]
-mod compact_set {
-    use super::{Compact, Law, Table, TableSet, compact};
-    #[cfg(feature = "fixed")]
-    use carom_tables::read::Quantised;
-    table_set!(Compact, f32, f32, compact::{LINEAR_DASHPOT, VISCOELASTIC});
-    table_set!(Compact, f64, f32, compact::{LINEAR_DASHPOT, VISCOELASTIC});
-    #[cfg(feature = "fixed")]
-    table_set!(Compact, crate::scalar::I32F32, Quantised, compact::{
-        LINEAR_DASHPOT_I32F32, VISCOELASTIC_I32F32
-    });
-    #[cfg(feature = "fixed")]
-    table_set!(Compact, crate::scalar::I16F16, Quantised, compact::{
-        LINEAR_DASHPOT_I16F16, VISCOELASTIC_I16F16
-    });
-}
-
+quantised_table_set!(Compact, compact);
 #[cfg(feature = "standard")]
-mod standard_set {
-    use super::{Law, Standard, Table, TableSet, standard};
-    #[cfg(feature = "fixed")]
-    use carom_tables::read::Quantised;
-    table_set!(Standard, f32, f32, standard::{LINEAR_DASHPOT, VISCOELASTIC});
-    table_set!(Standard, f64, f32, standard::{LINEAR_DASHPOT, VISCOELASTIC});
-    #[cfg(feature = "fixed")]
-    table_set!(Standard, crate::scalar::I32F32, Quantised, standard::{
-        LINEAR_DASHPOT_I32F32, VISCOELASTIC_I32F32
-    });
-    #[cfg(feature = "fixed")]
-    table_set!(Standard, crate::scalar::I16F16, Quantised, standard::{
-        LINEAR_DASHPOT_I16F16, VISCOELASTIC_I16F16
-    });
-}
+quantised_table_set!(Standard, standard);
 
+// The wide tables have numbers too large to be quantised: fixed point reads their floats as bits. (`wide`
+// alone would also name a package.)
 #[cfg(feature = "wide")]
-mod wide_set {
-    use super::{Law, Table, TableSet, Wide, wide};
-    table_set!(Wide, f32, f32, wide::{LINEAR_DASHPOT, VISCOELASTIC});
-    table_set!(Wide, f64, f32, wide::{LINEAR_DASHPOT, VISCOELASTIC});
-    // The wide tables have numbers too large to be quantised. Fixed point reads their floats as bits.
-    #[cfg(feature = "fixed")]
-    table_set!(Wide, crate::scalar::I32F32, f32, wide::{LINEAR_DASHPOT, VISCOELASTIC});
-    #[cfg(feature = "fixed")]
-    table_set!(Wide, crate::scalar::I16F16, f32, wide::{LINEAR_DASHPOT, VISCOELASTIC});
-}
+table_set!(Wide, f32, f32, made::wide::LINEAR_DASHPOT, made::wide::VISCOELASTIC);
+#[cfg(feature = "wide")]
+table_set!(Wide, f64, f32, made::wide::LINEAR_DASHPOT, made::wide::VISCOELASTIC);
+#[cfg(all(feature = "wide", feature = "fixed"))]
+table_set!(Wide, I32F32, f32, made::wide::LINEAR_DASHPOT, made::wide::VISCOELASTIC);
+#[cfg(all(feature = "wide", feature = "fixed"))]
+table_set!(Wide, I16F16, f32, made::wide::LINEAR_DASHPOT, made::wide::VISCOELASTIC);

@@ -117,16 +117,20 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, 
     /// ```
     #[must_use]
     pub const fn new() -> Self {
-        Self(Arrays {
-            bodies: [Body::VACANT; N],
-            events: [ScheduledEvent::VACANT; N],
-            tree: [0; N],
-            links: [Link::VACANT; N],
-            heads: [0; N],
-            planes: [Plane::VACANT; P],
-            accelerations: [vector([S::ZERO; D]); N],
-        })
+        Self::EMPTY
     }
+
+    /// A constant, so that nothing is put together at run time: there the parts and the whole would be on the
+    /// stack at once, which is too much for 16 KiB of RAM.
+    const EMPTY: Self = Self(Arrays {
+        bodies: [Body::VACANT; N],
+        events: [ScheduledEvent::VACANT; N],
+        tree: [0; N],
+        links: [Link::VACANT; N],
+        heads: [0; N],
+        planes: [Plane::VACANT; P],
+        accelerations: [vector([S::ZERO; D]); N],
+    });
 }
 
 impl<S: Scalar, const D: usize, const N: usize, const P: usize> Default for Memory<S, D, N, P> {
@@ -179,7 +183,7 @@ pub struct HeapMemory<S: Scalar, const D: usize>(OnHeap<S, D>);
 
 #[cfg(feature = "alloc")]
 impl<S: Scalar, const D: usize> HeapMemory<S, D> {
-    /// Memory for this many grains and as many cells, and for all the planes that there can be.
+    /// Memory for this many grains, twice as many cells, and all the planes that there can be.
     #[must_use]
     pub fn with_capacity(grains: usize) -> Self {
         let mut memory = Self(Arrays {
@@ -195,7 +199,7 @@ impl<S: Scalar, const D: usize> HeapMemory<S, D> {
         memory
     }
 
-    /// Room for this many more grains. Worlds in it before are gone: they borrowed it.
+    /// Room for this many more grains, and twice as many more cells. Worlds in it before are gone: they borrowed it.
     pub fn reserve(&mut self, additional: usize) {
         let grains = self.capacity() + additional;
         let arrays = &mut self.0;
@@ -205,10 +209,10 @@ impl<S: Scalar, const D: usize> HeapMemory<S, D> {
         arrays.links.resize(grains, Link::VACANT);
         arrays.accelerations.resize(grains, vector([S::ZERO; D]));
         // Twice as many: a grid cannot use just any number of cells.
-        arrays.heads.resize(2 * grains, 0);
+        arrays.heads.resize(arrays.heads.len() + 2 * additional, 0);
     }
 
-    /// The same with room for this many cells; with none, all pairs are neighbours.
+    /// The same with room for this many cells, now; with none, all pairs are neighbours.
     #[must_use]
     pub fn with_cells(mut self, cells: usize) -> Self {
         self.0.heads.resize(cells, 0);

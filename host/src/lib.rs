@@ -25,3 +25,24 @@ pub mod scale;
 pub mod scenario;
 pub mod sweep;
 pub mod tables;
+
+/// The examples of README.md and docs/guide, compiled and run with the documentation tests.
+#[cfg(doctest)]
+mod guide {
+    #[doc = include_str!("../../README.md")]
+    mod readme {}
+    #[doc = include_str!("../../docs/guide/exactness.md")]
+    mod exactness {}
+    #[doc = include_str!("../../docs/guide/speed.md")]
+    mod speed {}
+    #[doc = include_str!("../../docs/guide/tables.md")]
+    mod tables {}
+    #[doc = include_str!("../../docs/guide/fixed-point.md")]
+    mod fixed_point {}
+    #[doc = include_str!("../../docs/guide/firmware.md")]
+    mod firmware {}
+    #[doc = include_str!("../../docs/guide/plates-and-rest.md")]
+    mod plates_and_rest {}
+    #[doc = include_str!("../../docs/guide/program.md")]
+    mod program {}
+}

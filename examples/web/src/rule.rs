@@ -1,6 +1,7 @@
 //! What do two grains do, by the method the page chose? Reads an impact; writes its outcome, from table or integral.
 
 use crate::integrate;
+use carom::Error;
 use carom::law::ForceLaw;
 use carom::law::embedded::{
     read::{Law, Table},
@@ -9,7 +10,6 @@ use carom::law::embedded::{
 use carom::law::{
     Answer, Central, ContactForce, HardSphere, Impact, LinearDashpot, Outside, Response, Rule, Soft, Viscoelastic,
 };
-use carom::Error;
 use core::sync::atomic::{AtomicU64, Ordering};
 
 /// How often a contact was integrated because it lies outside its law's table.

@@ -174,7 +174,7 @@ impl<const D: usize> Grid<D> {
 
     /// Chooses the cells: as wide as the cutoff or wider, and not many more than grains.
     fn measure(&mut self, positions: &[Vector<D>], boundary: &[Boundary; D], cutoff: f64) {
-        let most = (positions.len() as f64).powf(1.0 / D as f64).ceil().max(1.0);
+        let most = libm::pow(positions.len() as f64, 1.0 / D as f64).ceil().max(1.0);
         for (axis, bound) in boundary.iter().enumerate() {
             self.period[axis] = bound.period();
             let (low, high) = match *bound {

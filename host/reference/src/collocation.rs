@@ -66,7 +66,7 @@ fn basis(xi: f64) -> Row {
 /// Node i of Gauss and Legendre on (−1, 1), and its weight.
 fn gauss(i: usize) -> (f64, f64) {
     let n = NODES as f64;
-    let mut x = -(std::f64::consts::PI * (i as f64 + 0.75) / (n + 0.5)).cos();
+    let mut x = -libm::cos(std::f64::consts::PI * (i as f64 + 0.75) / (n + 0.5));
     let mut slope = 1.0;
     for _ in 0..10 {
         let p = polynomials(x);

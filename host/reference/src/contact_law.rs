@@ -95,7 +95,7 @@ impl ContactLaw {
         match self.shape {
             Shape::Linear => 0.5 * self.stiffness * x * x,
             Shape::Hertz => 0.4 * self.stiffness * x * x * x.sqrt(),
-            _ => self.stiffness * x.powf(2.0 + self.beta) / (2.0 + self.beta),
+            _ => self.stiffness * libm::pow(x, 2.0 + self.beta) / (2.0 + self.beta),
         }
     }
 
@@ -105,14 +105,14 @@ impl ContactLaw {
         let square = self.mass / self.stiffness;
         match self.shape {
             Shape::Linear => square.sqrt(),
-            Shape::Hertz => square.powf(0.4) * speed.powf(-0.2),
-            _ => (square * speed.powf(-self.beta)).powf(1.0 / (2.0 + self.beta)),
+            Shape::Hertz => libm::pow(square, 0.4) * libm::pow(speed, -0.2),
+            _ => libm::pow(square * libm::pow(speed, -self.beta), 1.0 / (2.0 + self.beta)),
         }
     }
 
     /// The largest overlap of an undamped impact at normal speed v_n (L94 Eq. A1).
     pub fn deepest(&self, speed: f64) -> f64 {
-        (1.0 + 0.5 * self.beta).powf(1.0 / (2.0 + self.beta)) * speed * self.time_scale(speed)
+        libm::pow(1.0 + 0.5 * self.beta, 1.0 / (2.0 + self.beta)) * speed * self.time_scale(speed)
     }
 
     /// A length of contact to choose steps by: that of an undamped central impact (L94 Eq. A2: π T,
@@ -124,15 +124,15 @@ impl ContactLaw {
         let scale = self.time_scale(speed);
         let damped = match self.shape {
             Shape::Linear | Shape::Hertz => self.relaxation / scale,
-            _ => self.relaxation * speed * (speed * scale).powf(self.gamma - self.beta - 1.0),
+            _ => self.relaxation * speed * libm::pow(speed * scale, self.gamma - self.beta - 1.0),
         };
         let exponent = 1.0 / (1.0 + self.gamma);
         let undamped = match self.shape {
             Shape::Linear => std::f64::consts::PI,
             Shape::Hertz => 3.218_066,
-            _ => duration(self.beta) * (1.0 + 0.5 * self.beta).powf(1.0 / (2.0 + self.beta)),
+            _ => duration(self.beta) * libm::pow(1.0 + 0.5 * self.beta, 1.0 / (2.0 + self.beta)),
         };
-        undamped * scale / damped.max(1.0).powf(exponent)
+        undamped * scale / libm::pow(damped.max(1.0), exponent)
     }
 
     /// p, where x = q^p makes the force smooth in q; 1 where it is smooth in x.
@@ -153,7 +153,7 @@ impl ContactLaw {
         match self.order() {
             1 => x,
             2 => x.sqrt(),
-            p => x.powf(1.0 / f64::from(p)),
+            p => libm::pow(x, 1.0 / f64::from(p)),
         }
     }
 
@@ -165,7 +165,7 @@ impl ContactLaw {
                 Shape::Linear => 1.0,
                 Shape::Hertz => root,
                 Shape::Power { gain, .. } => root.powi(gain),
-                Shape::Any => root.powf(4.0 * self.gamma),
+                Shape::Any => libm::pow(root, 4.0 * self.gamma),
             }
     }
 
@@ -175,7 +175,7 @@ impl ContactLaw {
         match self.shape {
             Shape::Linear | Shape::Hertz => overlap,
             Shape::Power { spring, .. } => root.powi(spring),
-            Shape::Any => root.powf(4.0 * (1.0 + self.beta - self.gamma)),
+            Shape::Any => libm::pow(root, 4.0 * (1.0 + self.beta - self.gamma)),
         }
     }
 
@@ -197,7 +197,7 @@ impl ContactLaw {
         let power = match self.shape {
             Shape::Linear => 1.0,
             Shape::Hertz => x.sqrt(),
-            _ => x.powf(self.beta),
+            _ => libm::pow(x, self.beta),
         };
         (self.stiffness * power / self.mass).sqrt()
     }

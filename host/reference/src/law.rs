@@ -128,7 +128,7 @@ impl ForceLaw {
             let wanted = "above 0 and at most 1";
             return Err(ReferenceError::parameter("restitution", restitution, wanted));
         }
-        let mu = -restitution.ln() / contact_time;
+        let mu = -libm::log(restitution) / contact_time;
         let frequency = std::f64::consts::PI / contact_time;
         let stiffness = 0.5 * mass * (frequency * frequency + mu * mu);
         Ok(Self::PowerLaw { stiffness, beta: 0.0, damping: mu, gamma: 0.0, tangential: 0.0 })

@@ -127,6 +127,6 @@ fn outcome<const D: usize>(
     let ((r0, d0, u0), (r1, d1, u1)) = (relative(before), relative(&after));
     // The angle between two vectors, good at both ends of 0 … π.
     let (a, b) = (r0.map(|x| x / d0), r1.map(|x| x / d1));
-    let eps_phi = 2.0 * length(&minus(&a, &b)).atan2(length(&plus(&a, 1.0, &b)));
+    let eps_phi = 2.0 * libm::atan2(length(&minus(&a, &b)), length(&plus(&a, 1.0, &b)));
     Collision { duration, eps_r: d1 / d0, eps_rdot: u1 / u0, eps_phi, path, after }
 }

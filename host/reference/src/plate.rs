@@ -46,7 +46,7 @@ impl Plate {
     #[inline]
     fn sin_cos(&self, t: f64) -> (f64, f64) {
         let turns = self.frequency * t + self.phase;
-        (TAU * (turns - turns.round())).sin_cos()
+        libm::sincos(TAU * (turns - turns.round()))
     }
 
     /// z_0.

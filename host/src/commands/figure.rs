@@ -1,7 +1,7 @@
-//! `carom figure`, `carom divergence`: do we get what the papers got? Reads an id or a number of gases; writes data, comparison and picture.
+//! `carom figure`, `carom divergence`: do we get what the papers got? Reads an id or a number of gases; writes data, comparison, picture and page.
 
 use crate::divergence::{self, Errors};
-use crate::figure;
+use crate::figure::{self, page};
 use crate::plot::{self, methods};
 use anyhow::Result;
 use clap::Args;
@@ -23,6 +23,24 @@ pub struct FigureOptions {
     /// With the paper's statistics, however long it takes.
     #[arg(long)]
     full: bool,
+    /// Print the page docs/figures/ID.md; without an id, the list of all pages.
+    #[arg(long, conflicts_with = "json")]
+    markdown: bool,
+    /// With --markdown: the day that the page says it was made on, as 2026-11-26.
+    #[arg(long, requires = "markdown", value_name = "DAY", value_parser = day)]
+    date: Option<String>,
+}
+
+/// A day, written as 2026-11-26.
+fn day(text: &str) -> Result<String, String> {
+    let is_day = text.bytes().enumerate().all(|(k, c)| match k {
+        4 | 7 => c == b'-',
+        _ => c.is_ascii_digit(),
+    });
+    match is_day && text.len() == 10 {
+        true => Ok(text.to_owned()),
+        false => Err("a day is written as 2026-11-26".to_owned()),
+    }
 }
 
 /// Makes a figure.
@@ -32,6 +50,9 @@ pub struct FigureOptions {
 pub fn figure(options: &FigureOptions) -> Result<()> {
     let mut out = std::io::stdout().lock();
     let Some(id) = &options.id else {
+        if options.markdown {
+            return Ok(write!(out, "{}", page::index(figure::all()))?);
+        }
         for entry in figure::all() {
             writeln!(out, "{:<13} {}", entry.id, entry.what)?;
         }
@@ -48,6 +69,10 @@ pub fn figure(options: &FigureOptions) -> Result<()> {
     }
     if options.json {
         return Ok(writeln!(out, "{}", serde_json::to_string_pretty(&made.figure)?)?);
+    }
+    if options.markdown {
+        let origin = page::Origin { full: options.full, date: options.date.clone() };
+        return Ok(write!(out, "{}", page::page(entry, &made, &origin))?);
     }
     figure::print(&mut out, entry.what, &made)
 }

@@ -18,6 +18,9 @@ pub struct TableOptions {
     /// Print the certificates as JSON.
     #[arg(long)]
     json: bool,
+    /// Print them as the table in docs/guide/tables.md.
+    #[arg(long, conflicts_with = "json")]
+    markdown: bool,
     /// Draw MP13's Figs. 3, 4 and 5 as NAME-fig3.png and so on (.png or .svg).
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -37,6 +40,8 @@ pub fn table(options: &TableOptions) -> Result<()> {
     if options.json {
         serde_json::to_writer_pretty(&mut sink, &certified)?;
         writeln!(sink)?;
+    } else if options.markdown {
+        markdown(&mut sink, &certified)?;
     } else {
         print(&mut sink, &certified)?;
     }
@@ -183,6 +188,22 @@ fn print(sink: &mut dyn Write, all: &[Certified]) -> Result<()> {
         sink,
         "  measured at {points} points or more that the fit did not use; a = angle of impact"
     )?;
+    Ok(())
+}
+
+/// Certified errors, and in brackets what 99.9 % of the points stay below.
+fn markdown(sink: &mut dyn Write, all: &[Certified]) -> Result<()> {
+    let head = "| table | law | bytes | l̃ cos α ≥ | c_dis ≤ | e ≤ | τ (relative) | ε_ṙ | ε_r | ε_φ [rad] |";
+    writeln!(sink, "{head}\n|{}", "---|".repeat(head.matches('|').count() - 1))?;
+    for c in all {
+        let law = if c.law == "lsd" { "linear" } else { c.law };
+        let d = &c.domain;
+        let domain = [d.stiffness_min, d.c_dis_max, d.eccentricity_max].map(rounded).join(" | ");
+        let both = c.max.texts().into_iter().zip(c.quantile_999.texts());
+        let errors: Vec<String> = both.map(|(max, most)| format!("{max} ({most})")).collect();
+        let (table, bytes, errors) = (c.table, c.bytes, errors.join(" | "));
+        writeln!(sink, "| {table} | {law} | {bytes} | {domain} | {errors} |")?;
+    }
     Ok(())
 }
 

@@ -195,4 +195,6 @@ pub struct Entry {
     pub what: &'static str,
     /// Makes it.
     pub make: fn(&Options) -> Result<Made>,
+    /// What its page says around the tables.
+    pub text: &'static str,
 }

@@ -2,7 +2,8 @@
 
 /// The slope of ln y over ln x, by least squares.
 pub fn slope(x: &[f64], y: &[f64]) -> f64 {
-    let points: Vec<[f64; 2]> = x.iter().zip(y).map(|(x, y)| [x.ln(), y.ln()]).collect();
+    let points: Vec<[f64; 2]> =
+        x.iter().zip(y).map(|(x, y)| [libm::log(*x), libm::log(*y)]).collect();
     let n = points.len() as f64;
     let mean = |k: usize| points.iter().map(|p| p[k]).sum::<f64>() / n;
     let (mx, my) = (mean(0), mean(1));

@@ -1,6 +1,7 @@
 //! Which figures of the papers can be made, and how do they read as text? Reads an id; returns the figure, writes its data as a table.
 
-use super::data::{Entry, Figure, Made, Note, Options, Series, Value};
+use super::data::{Entry, Figure, Made, Note, Series, Value};
+use super::number::significant;
 use super::{bsfp14, l94, mp13};
 use anyhow::{Result, bail};
 use std::io::Write;
@@ -28,55 +29,63 @@ pub fn find(id: &str) -> Result<&'static Entry> {
     bail!("figure {id:?} is not known; there are {}", ids.join(", "))
 }
 
+/// A figure and its page's text, which has the figure's name.
+macro_rules! entry {
+    ($id:literal, $what:literal, $make:expr) => {
+        Entry {
+            id: $id,
+            what: $what,
+            make: $make,
+            text: include_str!(concat!("pages/", $id, ".md")),
+        }
+    };
+}
+
 /// The figures of BSFP14.
 const BSFP14: &[Entry] = &[
-    Entry {
-        id: "bsfp14-3",
-        what: "how far from contact spheres collide, in units of the last place",
-        make: bsfp14::gas::make_impacts,
-    },
-    Entry {
-        id: "bsfp14-5",
-        what: "how often a grain overlaps its partner and a third at a collision",
-        make: bsfp14::gas::make_overlaps,
-    },
-    Entry {
-        id: "bsfp14-7",
-        what: "a bouncing ball on plates at any height: naive detection halts, the stable one rests",
-        make: bsfp14::ball::make,
-    },
+    entry!(
+        "bsfp14-3",
+        "how far from contact spheres collide, in units of the last place",
+        bsfp14::gas::make_impacts
+    ),
+    entry!(
+        "bsfp14-5",
+        "how often a grain overlaps its partner and a third at a collision",
+        bsfp14::gas::make_overlaps
+    ),
+    entry!(
+        "bsfp14-7",
+        "a bouncing ball on plates at any height: naive detection halts, the stable one rests",
+        bsfp14::ball::make
+    ),
 ];
-
-const fn entry(id: &'static str, what: &'static str, make: fn(&Options) -> Result<Made>) -> Entry {
-    Entry { id, what, make }
-}
 
 /// The figures of L94.
 const L94: &[Entry] = &[
-    entry("l94-1", "trajectories of ten beads at a wall, for three gaps", l94::paths::at_a_wall),
-    entry("l94-2a", "ε_eff of a column at a wall, against the gaps", l94::loss::make_a),
-    entry("l94-2b", "loss of beads in contact, against N and ε", l94::loss::make_b),
-    entry("l94-2c", "relative energy left by the impact of beads in contact", l94::loss::make_c),
-    entry("l94-3", "ε_eff of beads in contact, for three force laws", l94::loss::make_laws),
-    entry("l94-4a", "ε_eff of a layer in two dimensions, against the gaps", l94::layer::make_a),
-    entry("l94-4b", "loss of layers in contact, against their height", l94::layer::make_b),
-    entry("l94-5", "a column on a vibrating plate, for two contact times", l94::paths::on_a_plate),
-    entry("l94-7", "height of a strongly shaken column, against α", l94::shaken::make),
-    entry("l94-table1", "exponents of depth, duration and loss of a contact", l94::table1::make),
+    entry!("l94-1", "trajectories of ten beads at a wall, for three gaps", l94::paths::at_a_wall),
+    entry!("l94-2a", "ε_eff of a column at a wall, against the gaps", l94::loss::make_a),
+    entry!("l94-2b", "loss of beads in contact, against N and ε", l94::loss::make_b),
+    entry!("l94-2c", "relative energy left by the impact of beads in contact", l94::loss::make_c),
+    entry!("l94-3", "ε_eff of beads in contact, for three force laws", l94::loss::make_laws),
+    entry!("l94-4a", "ε_eff of a layer in two dimensions, against the gaps", l94::layer::make_a),
+    entry!("l94-4b", "loss of layers in contact, against their height", l94::layer::make_b),
+    entry!("l94-5", "a column on a vibrating plate, for two contact times", l94::paths::on_a_plate),
+    entry!("l94-7", "height of a strongly shaken column, against α", l94::shaken::make),
+    entry!("l94-table1", "exponents of depth, duration and loss of a contact", l94::table1::make),
 ];
 
 /// The figures of MP13, and what the paper leaves open.
 const MP13: &[Entry] = &[
-    Entry {
-        id: "mp13-7",
-        what: "how often eMD* cannot treat a contact as one of two grains alone",
-        make: mp13::gas::make,
-    },
-    Entry {
-        id: "mp13-7-transport",
-        what: "self-diffusion and pressure by eMD and eMD*, against MD",
-        make: mp13::transport::make,
-    },
+    entry!(
+        "mp13-7",
+        "how often eMD* cannot treat a contact as one of two grains alone",
+        mp13::gas::make
+    ),
+    entry!(
+        "mp13-7-transport",
+        "self-diffusion and pressure by eMD and eMD*, against MD",
+        mp13::transport::make
+    ),
 ];
 
 /// Points of a curve that are printed.
@@ -135,16 +144,5 @@ fn shown(value: &Value) -> String {
 
 /// Six digits, as short as they can be.
 fn number(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    if (1e-3..1e7).contains(&x.abs()) {
-        let digits = (5 - x.abs().log10().floor() as i32).clamp(0, 8) as usize;
-        let text = format!("{x:.digits$}");
-        if !text.contains('.') {
-            return text;
-        }
-        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
-    }
-    format!("{x:.5e}")
+    significant(x, 6)
 }

@@ -13,6 +13,8 @@ pub mod hard;
 pub mod l94;
 mod list;
 pub mod mp13;
+pub mod number;
+pub mod page;
 
 pub use data::{Axes, Entry, Figure, Made, Note, Options, Series, Value};
 pub use list::{all, find, print};

@@ -211,7 +211,7 @@ impl<const D: usize> Cluster<D> {
         let (x, u) = (self.links[m].overlap.max(0.0), self.links[m].rate().max(0.0));
         let (q, p) = (self.links[m].law.root(x), self.links[m].law.order());
         match u * span > 1e-3 * x {
-            true => ((x + u * span).powf(1.0 / f64::from(p)) - q) / u,
+            true => (libm::pow(x + u * span, 1.0 / f64::from(p)) - q) / u,
             false => span / (f64::from(p) * q.powi(p - 1)),
         }
     }

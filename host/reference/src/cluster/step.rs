@@ -11,14 +11,18 @@ use crate::vector::{Vector, length};
 const TOLERANCE: f64 = 2e-14;
 
 impl Active {
+    /// The step to try next. This one was accepted, so its error is small, or it is that of rounding (then it
+    /// may be above the tolerance): a shorter one would be no better, and steps that shrink because of
+    /// rounding would shrink for ever.
     fn next_length(&self) -> f64 {
-        self.length * growth(self.segment.error).clamp(0.3, 2.5)
+        let is_rounding = self.segment.error > TOLERANCE;
+        self.length * if is_rounding { 2.0 } else { growth(self.segment.error).clamp(1.0, 2.5) }
     }
 }
 
 /// How much longer a step may be, given the error of this one.
 fn growth(error: f64) -> f64 {
-    0.8 * (TOLERANCE / error.max(1e-30)).powf(1.0 / 16.0)
+    0.8 * libm::pow(TOLERANCE / error.max(1e-30), 1.0 / 16.0)
 }
 
 impl<const D: usize> Cluster<D> {

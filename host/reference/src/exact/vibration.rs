@@ -18,12 +18,12 @@ struct Gap {
 impl Gap {
     fn height(&self, t: f64) -> f64 {
         let [c, b, a] = self.flight;
-        c + t * (b + t * a) - self.amplitude * (self.theta + self.omega * t).sin()
+        c + t * (b + t * a) - self.amplitude * libm::sin(self.theta + self.omega * t)
     }
 
     fn rate(&self, t: f64) -> f64 {
         let [_, b, a] = self.flight;
-        b + 2.0 * a * t - self.amplitude * self.omega * (self.theta + self.omega * t).cos()
+        b + 2.0 * a * t - self.amplitude * self.omega * libm::cos(self.theta + self.omega * t)
     }
 
     /// After this time the grain is above the plate's highest point for good, or has been below its
@@ -46,7 +46,7 @@ impl Gap {
         if sine.abs() >= 1.0 {
             return Vec::new();
         }
-        let (low, turns) = (sine.asin(), (end * self.omega / TAU).ceil() as i64 + 1);
+        let (low, turns) = (libm::asin(sine), (end * self.omega / TAU).ceil() as i64 + 1);
         let mut times = Vec::new();
         for turn in -1..=turns {
             for angle in [low, PI - low] {

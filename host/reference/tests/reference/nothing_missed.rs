@@ -123,6 +123,14 @@ proptest! {
     }
 }
 
+/// Overdamped grains that lie still: the error of a step is that of rounding there, which no shorter step makes
+/// smaller. Steps became shorter and shorter until time stood still.
+#[test]
+fn in_a_heap_at_rest() {
+    case(15_522_005_432_079_637_809, 4, true, 1, 10.0, 30);
+    case(382_003_864_487_505_734, 4, true, 0, 10.0, 30);
+}
+
 #[test]
 #[ignore = "many clusters: run with --release"]
 fn in_many_dense_boxes() {

@@ -43,7 +43,7 @@ impl Fluid {
 
     /// The length of the box.
     pub fn length<const D: usize>(&self) -> f64 {
-        (self.grains as f64 / self.density).powf(1.0 / D as f64)
+        libm::pow(self.grains as f64 / self.density, 1.0 / D as f64)
     }
 
     /// Grains on the lattice of points with an even sum of coordinates (fcc in 3D), with Maxwellian

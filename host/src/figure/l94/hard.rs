@@ -45,7 +45,7 @@ pub fn dashpot(law: &ForceLaw) -> Result<LinearDashpot<f64>> {
 pub fn restitution(law: &LinearDashpot<f64>) -> [f64; 2] {
     [0.5, 1.0].map(|mass| {
         let mu = 0.5 * law.damping / mass;
-        (-mu * std::f64::consts::PI / (law.stiffness / mass - mu * mu).sqrt()).exp()
+        libm::exp(-mu * std::f64::consts::PI / (law.stiffness / mass - mu * mu).sqrt())
     })
 }
 

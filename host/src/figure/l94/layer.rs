@@ -174,7 +174,7 @@ fn hit(sigma: f64, tangential: f64, seed: u64, patience: [f64; 2]) -> Result<f64
 pub fn make_a(options: &Options) -> Result<Made> {
     let (last, seeds, patience) =
         if options.full { (6, 10, [260.0, 100.0]) } else { (4, 3, [40.0, 20.0]) };
-    let sigmas: Vec<f64> = (-6..=last).map(|k| 10f64.powf(0.5 * f64::from(k))).collect();
+    let sigmas: Vec<f64> = (-6..=last).map(|k| libm::pow(10.0, 0.5 * f64::from(k))).collect();
     let progress = Progress::new("l94-4a", (TANGENTIAL.len() * sigmas.len()) as u64 * seeds);
     let mut figure = Figure::new("l94-4a", ["σ = s0/(v0 t_c)", "ε_eff"]);
     for tangential in TANGENTIAL {

@@ -24,7 +24,7 @@ pub const STEPS: f64 = 200.0;
 
 /// The abscissae of Fig. 2a, half a decade apart.
 pub fn separations() -> impl Iterator<Item = f64> {
-    (-6..=6).map(|k| 10f64.powf(0.5 * f64::from(k)))
+    (-6..=6).map(|k| libm::pow(10.0, 0.5 * f64::from(k)))
 }
 
 /// One column by one method: "ED", "eMD*", or else MD.

@@ -5,6 +5,7 @@ use super::hard::{self, Variant};
 use super::loss::METHODS;
 use super::shaken::Shaken;
 use crate::figure::data::{Figure, Made, Note, Options, Series};
+use crate::figure::number::fixed;
 use crate::plot::text::{Align, Style};
 use crate::plot::{Axis, Colour, Panel, Rect, Scene, Stroke};
 use crate::progress::Progress;
@@ -88,7 +89,7 @@ fn note_wall(method: &str, gap: f64, times: &[f64], heights: &[Vec<f64>]) -> Not
         ("MD", true) => "similar to ED",
         _ => "the same for all s0",
     };
-    let what = format!("{method}, s0 = {gap:e}: final v_cm/v0");
+    let what = format!("{method}, s0 = {} μm: final v_cm/v0", gap * 1e6);
     Note::new(what, said, format!("{speed:.3}"))
 }
 
@@ -188,7 +189,7 @@ fn note_plate(method: &str, contact_time: f64, heights: &[Vec<f64>]) -> Note {
         _ => "not given",
     };
     let what = format!("{method}, t_c = {contact_time:e} s: sum of gaps / d");
-    Note::new(what, said, format!("{mean:.4} on average, {most:.3} at most"))
+    Note::new(what, said, format!("{} on average, {most:.2} at most", fixed(mean, 3)))
 }
 
 /// One diagram: lines in colours from dark to light, in the order given.

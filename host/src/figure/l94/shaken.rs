@@ -286,10 +286,10 @@ fn note(figure: &Figure, k: usize) -> Note {
     let theory = theory(AGITATIONS[k]);
     let value = |s: &Series| {
         let [y, e] = [s.y[k], s.yerr[k]].map(|y| 100.0 * y / theory);
-        format!("{} {:+.1} ± {e:.1} %", s.name, y - 100.0)
+        format!("{}: {:+.1} ± {e:.1} %", s.name, y - 100.0)
     };
     let ours: Vec<String> = figure.series.iter().map(value).collect();
     let says = format!("Eq. (10): {theory:.5} m");
     let what = format!("h_cm - h_cm0 at α = {}, against Eq. (10)", AGITATIONS[k]);
-    Note::new(what, says, ours.join(", "))
+    Note::new(what, says, ours.join("; "))
 }

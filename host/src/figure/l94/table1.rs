@@ -3,6 +3,7 @@
 use crate::figure::data::{Figure, Made, Note, Options, Series};
 use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::figure::fit::slope;
+use crate::figure::number::fixed;
 use anyhow::Result;
 use carom_reference::{End, ForceLaw, Grain, ReferenceError, collide};
 
@@ -81,7 +82,7 @@ pub fn make(_: &Options) -> Result<Made> {
             wanted.push([k as f64 + 1.0, right[k]]);
         }
         figure = figure.with(series);
-        let shown = |nu: [f64; 3]| nu.map(|nu| format!("{:.5}", nu + 0.0)).join(", ");
+        let shown = |nu: [f64; 3]| nu.map(|nu| fixed(nu, 5)).join(", ");
         let what = format!("ν1, ν2, ν3 for β = {beta}, γ = {gamma}");
         notes.push(Note::new(what, shown(right), shown(found)));
     }
