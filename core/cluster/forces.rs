@@ -31,6 +31,8 @@ pub(super) struct Forces<'a, 'm, S: Scalar, const D: usize, R> {
     pub step: S,
     /// The deepest overlap of all.
     pub deepest: S,
+    /// The largest ω of a stand-in.
+    pub frequency: S,
     /// Sleeping grains that something moves.
     pub woken: heapless::Vec<usize, MAX_WOKEN>,
 }
@@ -101,19 +103,24 @@ impl<S: Scalar, const D: usize, R: Rule<S>> Forces<'_, '_, S, D, R> {
                 b.consecutive_collisions
             }) >= MAX_COLLISIONS,
         };
-        let force = touching.mean_force(self.rule, self.settings, self.step);
-        let (on_a, on_b) = (e * (force / a.mass), -e * (force / b.mass));
         let moves = S::dot(&a.velocity, &a.velocity);
         let limit = self.settings.sleep_speed(b.radius) * S::from_f32(2.0);
-        if b.is_asleep() {
-            if moves > limit.times(limit) {
-                let _ = self.woken.push(k);
-            }
-        } else {
-            self.push(k, on_b);
+        let (mass, other_mass, sleeps) = (a.mass, b.mass, b.is_asleep());
+        let force = self.mean_force(&touching);
+        if !sleeps {
+            self.push(k, -e * (force / other_mass));
+        } else if moves > limit.times(limit) {
+            let _ = self.woken.push(k);
         }
-        self.push(i, on_a);
+        self.push(i, e * (force / mass));
+    }
+
+    /// The mean force of two over the step; what it says of the next step's length is kept.
+    fn mean_force(&mut self, touching: &Touching<S>) -> S {
+        let mean = touching.mean_force(self.rule, self.settings, self.step);
         self.deepest = self.deepest.max(touching.overlap);
+        self.frequency = self.frequency.max(mean.frequency);
+        mean.force
     }
 
     fn push(&mut self, grain: usize, change: Vector<S, D>) {
@@ -137,10 +144,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> Forces<'_, '_, S, D, R> {
                 continue;
             }
             let touching = with_plane(body, plane, overlap, self.middle);
-            let force = touching.mean_force(self.rule, self.settings, self.step);
-            let change = plane.normal * (force / body.mass);
-            self.push(i, change);
-            self.deepest = self.deepest.max(overlap);
+            let (normal, mass) = (plane.normal, body.mass);
+            let force = self.mean_force(&touching);
+            self.push(i, normal * (force / mass));
         }
     }
 }

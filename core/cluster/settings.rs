@@ -143,9 +143,9 @@ impl<S: Scalar> Settings<S> {
         radius * self.frequency(radius) * S::from_f64(1.0 / (64.0 * core::f64::consts::PI))
     }
 
-    /// Below this a clustered grain is slow enough to sleep: g t/256 by default.
+    /// Below this a clustered grain is slow enough to sleep: g t/128 by default, (g R)^½/2048.
     pub fn sleep_speed(&self, radius: S) -> S {
-        self.slow_speed(radius) * S::from_f32(1.0 / 1024.0)
+        self.slow_speed(radius) * S::from_f32(1.0 / 512.0)
     }
 
     /// For so long, ten contact times, it must have been so.
@@ -153,8 +153,9 @@ impl<S: Scalar> Settings<S> {
         S::from_f64(10.0 * core::f64::consts::PI) / self.frequency(radius)
     }
 
-    /// The step of clustered grains of which none is faster than `speed` and no pair deeper than `overlap`.
-    pub fn step<R: Rule<S>>(&self, rule: &R, speed: S, overlap: S) -> S {
+    /// The step of clustered grains of which none is faster than `speed`, no pair deeper than `overlap`, and
+    /// no stand-in's ω above `frequency`.
+    pub fn step<R: Rule<S>>(&self, rule: &R, speed: S, (overlap, frequency): (S, S)) -> S {
         let impact = self.small_pair(speed + speed);
         // A body pressed from all sides swings up to √3 times as fast as a pair does.
         let soft = rule
@@ -163,7 +164,8 @@ impl<S: Scalar> Settings<S> {
         let stand_in =
             self.has_instantaneous && (self.gravity > S::zero() || self.contact_time.is_some());
         let hard = stand_in.then(|| {
-            S::from_f64(core::f64::consts::PI) / (self.frequency(self.smallest[0]) * self.steps)
+            let frequency = self.frequency(self.smallest[0]).max(frequency);
+            S::from_f64(core::f64::consts::PI) / (frequency * self.steps)
         });
         let step = match (soft, hard) {
             (Some(soft), Some(hard)) => soft.min(hard),

@@ -35,7 +35,7 @@ pub(super) fn may_sleep<S: Scalar, const D: usize>(
     may
 }
 
-/// Whether the forces on a clustered grain leave less than 10⁻⁴ of its weight, or than what rounding of its
+/// Whether the forces on a clustered grain leave less than 2·10⁻⁴ of its weight, or than what rounding of its
 /// position makes of them.
 fn is_balanced<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
@@ -43,7 +43,7 @@ fn is_balanced<S: Scalar, const D: usize>(
     step: S,
 ) -> bool {
     let coarse = coordinate_rounding(body) / step / step;
-    norm(&body.velocity_change) <= (norm(domain.gravity()) * S::from_f64(1e-4)).max(coarse)
+    norm(&body.velocity_change) <= (norm(domain.gravity()) * S::from_f64(2e-4)).max(coarse)
 }
 
 /// By how much rounding can move a body.

@@ -39,19 +39,20 @@ pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
             end: to,
             step,
             deepest: S::zero(),
+            frequency: S::zero(),
             woken: heapless::Vec::new(),
         };
         forces.add(clusters);
-        let (deepest, woken) = (forces.deepest, forces.woken);
+        let (deepest, frequency, woken) = (forces.deepest, forces.frequency, forces.woken);
         let mut fastest = S::zero();
         for_each(particles, clusters, |particles, i| {
             fastest = fastest.max(to_the_end(particles, domain, settings, i, [to, step]));
         });
         (clusters.time, clusters.speed) = (to, fastest);
         woken.iter().for_each(|&k| join(particles, domain, clusters, (k, to)));
-        clusters.step = settings.step(rule, fastest, deepest);
+        clusters.step = settings.step(rule, fastest, (deepest, frequency));
     } else {
-        clusters.step = settings.step(rule, speed(particles, clusters), S::zero());
+        clusters.step = settings.step(rule, speed(particles, clusters), (S::zero(), S::zero()));
     }
 }
 

@@ -8,7 +8,7 @@ use crate::cluster;
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::{Error, Subject};
 use crate::law::Rule;
-use crate::particle::{Grain, Partner};
+use crate::particle::{Body, Grain, Partner};
 use crate::resolve::{self, Context, Effects, EventOutcome};
 use crate::scalar::{Instant, Scalar};
 use crate::schedule::first_of_instant;
@@ -132,8 +132,35 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             {
                 self.queue.set(grain, event);
             }
+            if self.particles.body(grain).is_some_and(Body::is_asleep) {
+                self.predict_free_near(grain);
+            }
         }
         Ok(())
+    }
+
+    /// A grain that fell asleep looks for nothing any more: free ones near it look for it.
+    fn predict_free_near(&mut self, grain: usize) {
+        let Some(cell) = self.particles.body(grain).map(|body| body.cell) else { return };
+        let mut after = None;
+        while let Some(k) = self.next_free_near(cell, after) {
+            let event = self.predict(k);
+            self.queue.set(k, event);
+            after = Some(k);
+        }
+    }
+
+    /// The free grain near this cell with the next number.
+    fn next_free_near(&self, cell: u32, after: Option<usize>) -> Option<usize> {
+        let mut next = None;
+        self.particles.cells.for_each_near(cell, |k| {
+            let is_free = |body: &Body<S, D>| !body.is_clustered() && !body.is_asleep();
+            let counts = after.is_none_or(|after| k > after) && next.is_none_or(|next| k < next);
+            if counts && self.particles.body(k).is_some_and(is_free) {
+                next = Some(k);
+            }
+        });
+        next
     }
 
     /// The event's time becomes the present, which never goes back; too many before time moves on

@@ -8,6 +8,7 @@ mod corners;
 mod errors;
 mod fixed;
 mod gas;
+mod heaps;
 mod neighbours;
 mod piles;
 mod plates;
