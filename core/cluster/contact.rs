@@ -62,7 +62,7 @@ impl<S: Scalar> Touching<S> {
         let frequency = settings.frequency(self.radius);
         let stiffness = self.impact.reduced_mass * frequency * (S::one() + stiffer);
         let force = ContactForce {
-            elastic: stiffness * frequency * depth,
+            elastic: stiffness * (frequency * depth),
             damping: stiffness * scaled_damping(restitution) * self.resting(slow),
         };
         let swing = S::one() + stiffer * S::from_f32(5.0);

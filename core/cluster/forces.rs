@@ -5,6 +5,7 @@
 use super::contact::Touching;
 use super::members::Clusters;
 use super::settings::Settings;
+use super::sleep::rounded_speed;
 use crate::law::{Impact, Rule};
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, dot, norm};
@@ -104,7 +105,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> Forces<'_, '_, S, D, R> {
             }) >= MAX_COLLISIONS,
         };
         let moves = S::dot(&a.velocity, &a.velocity);
-        let limit = self.settings.sleep_speed(b.radius) * S::from_f32(2.0);
+        let slow = self.settings.sleep_speed(b.radius).max(rounded_speed(a, self.step));
+        let limit = slow * S::from_f32(2.0);
         let (mass, other_mass, sleeps) = (a.mass, b.mass, b.is_asleep());
         let force = self.mean_force(&touching);
         if !sleeps {

@@ -46,7 +46,13 @@ fn is_balanced<S: Scalar, const D: usize>(
     norm(&body.velocity_change) <= (norm(domain.gravity()) * S::from_f64(2e-4)).max(coarse)
 }
 
+/// How fast a body at rest can seem to be by rounding: it stands until its speed moves it by its last place
+/// in half a step.
+pub(super) fn rounded_speed<S: Scalar, const D: usize>(body: &Body<S, D>, step: S) -> S {
+    coordinate_rounding(body) * S::from_f32(2.0) / step
+}
+
 /// By how much rounding can move a body.
-pub(super) fn coordinate_rounding<S: Scalar, const D: usize>(body: &Body<S, D>) -> S {
+fn coordinate_rounding<S: Scalar, const D: usize>(body: &Body<S, D>) -> S {
     body.position.iter().fold(body.radius, |far, x| far.max(x.abs())).rounding()
 }

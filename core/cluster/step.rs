@@ -7,7 +7,7 @@
 use super::forces::Forces;
 use super::members::{Clusters, join, leave, sleep};
 use super::settings::Settings;
-use super::sleep::{coordinate_rounding, may_sleep};
+use super::sleep::{may_sleep, rounded_speed};
 use crate::law::Rule;
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, norm};
@@ -117,8 +117,8 @@ fn to_the_end<S: Scalar, const D: usize>(
     let before = particles.accelerations.get(i).copied().unwrap_or(now);
     let velocity = body.velocity - before * half + now * step;
     let speed = norm(&velocity);
-    let coarse = coordinate_rounding(&body) / step;
-    let is_slow = speed <= settings.sleep_speed(body.radius).max(coarse);
+    let slow = settings.sleep_speed(body.radius).max(rounded_speed(&body, step));
+    let is_slow = speed <= slow;
     let there = Body {
         position: body.position + velocity * half,
         velocity,

@@ -8,8 +8,8 @@ use super::members::Clusters;
 use super::settings::Settings;
 use crate::detect::{EventKind, ScheduledEvent, closing_speed, pair_collision, plane_collision};
 use crate::particle::{Body, Partner};
-use crate::scalar::{Scalar, norm};
-use crate::space::{Domain, Particles, Surface};
+use crate::scalar::{Scalar, WideProduct, dot, norm};
+use crate::space::{Domain, Particles, Plane, Surface};
 
 /// The earliest collision of a clustered grain up to the end of its step.
 pub(crate) fn next_event<S: Scalar, const D: usize>(
@@ -24,6 +24,7 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
     if everyone && !settings.has_instantaneous {
         return ScheduledEvent::NONE;
     }
+    let fast = norm(&me.velocity) + clusters.speed;
     let mut watch = Watch {
         particles,
         domain,
@@ -32,9 +33,9 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
         limit: clusters.due(),
         grain,
         me,
+        fast,
         first: ScheduledEvent::NONE,
     };
-    let fast = norm(&me.velocity) + clusters.speed;
     let may_collide =
         settings.is_rule_instantaneous && fast > settings.slow_speed(settings.smallest[0]);
     if !everyone || may_collide {
@@ -54,6 +55,8 @@ struct Watch<'a, S: Scalar, const D: usize> {
     limit: S,
     grain: usize,
     me: &'a Body<S, D>,
+    /// A bound on the speed at which it nears another clustered grain.
+    fast: S,
     first: ScheduledEvent<S>,
 }
 
@@ -63,7 +66,7 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
         let is_free = !other.is_clustered() && !other.is_asleep();
         let tired = self.me.consecutive_collisions >= MAX_COLLISIONS
             || other.is_clustered() && other.consecutive_collisions >= MAX_COLLISIONS;
-        if !is_free && (!may_collide || tired) {
+        if !is_free && (!may_collide || tired || !self.may_meet(other)) {
             return;
         }
         let time = pair_collision(self.particles, self.domain, self.now, [self.grain, k]);
@@ -79,6 +82,31 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
         }
     }
 
+    /// Whether two clustered grains may touch fast before the step ends: a bound without roots.
+    fn may_meet(&self, other: &Body<S, D>) -> bool {
+        if self.me.clock != other.clock {
+            return true;
+        }
+        let (apart, velocity) =
+            (self.domain.separation(self.me, other), self.me.velocity - other.velocity);
+        let slow = self.settings.slow_speed(self.me.radius.min(other.radius));
+        let reach = self.me.radius + other.radius + self.fast * (self.limit - self.me.clock);
+        S::dot(&velocity, &velocity) > slow.times(slow)
+            && S::dot(&apart, &velocity).rounded() < S::zero()
+            && S::dot(&apart, &apart) <= reach.times(reach)
+    }
+
+    /// Whether a grain may touch a plane fast before the step ends: a bound without roots.
+    fn may_meet_plane(&self, plane: &Plane<S, D>, slow: S) -> bool {
+        let span = self.limit - self.me.clock;
+        let (speed, top) =
+            plane.vibration.map_or((S::zero(), S::zero()), |v| (v.peak_speed(), v.amplitude.abs()));
+        let fall = norm(self.domain.gravity()) * span;
+        let fastest = speed + fall - dot(&plane.normal, &self.me.velocity);
+        let gap = plane.mean_gap(&self.me.position, self.me.radius) - top;
+        fastest > slow && gap <= fastest * span
+    }
+
     fn planes(&mut self) {
         let slow = self.settings.slow_speed(self.me.radius);
         if self.me.consecutive_collisions >= MAX_COLLISIONS {
@@ -86,6 +114,9 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
         }
         for (p, plane) in self.domain.boundary.planes().iter().enumerate() {
             if !(matches!(plane.surface, Surface::Hard(_)) || self.settings.is_rule_instantaneous) {
+                continue;
+            }
+            if !self.may_meet_plane(plane, slow) {
                 continue;
             }
             let time = plane_collision(self.domain, self.now, self.me, (plane, self.limit));

@@ -102,7 +102,7 @@ fn of_box<S: Scalar, const D: usize>(drawn: &Drawn, rule: &dyn Rule<S>) -> Repor
     let begin = std::time::Instant::now();
     let mut memory = HeapMemory::<S, D>::with_capacity(drawn.count());
     let mut report = match world(&mut memory, drawn, rule) {
-        Ok(world) => Run { drawn, watch: Watch::new(drawn, world.view()), world }.to_the_end(),
+        Ok(world) => Run { drawn, watch: Watch::new(drawn, world.view()), world }.report(),
         Err(error) => Report {
             ended: Ended::Broken(format!("at the start: {error}")),
             rise: 0.0,
@@ -169,7 +169,7 @@ const LONG: f64 = 40.0;
 const BUDGET: f64 = 20_000.0;
 
 impl<S: Scalar, const D: usize> Run<'_, '_, S, D> {
-    fn to_the_end(mut self) -> Report {
+    fn report(mut self) -> Report {
         let long = self.drawn.must_sleep_by().unwrap_or(LONG);
         let unit = if self.drawn.gravity == Gravity::Swinging { SWING } else { 1.0 };
         let (mut events, mut most, mut time) = (0, 0.0_f64, 0.0);
