@@ -7,8 +7,8 @@ use carom_host::heaps::{self, Ended, Number};
 fn small_boxes_of_all_kinds_come_to_what_they_must() {
     let (mut asleep, mut due) = (0, 0);
     for (number, seeds) in [
-        (Number::F64, 1..17),
-        (Number::F32, 17..25),
+        (Number::F64, 1..11),
+        (Number::F32, 17..23),
         (Number::I32f32, 25..31),
         (Number::I16f16, 31..37),
     ] {
