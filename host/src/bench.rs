@@ -81,7 +81,6 @@ fn run<const D: usize>(case: &Case, rule: impl Rule<f64>, effort: Effort) -> Res
     let mut storage = HeapMemory::<f64, D>::with_capacity(case.count);
     let bytes_per_grain = bytes(&mut storage) as f64 / case.count as f64;
     let builder = World::builder(&mut storage).periodic([[0.0, case.edge()]; D]).rule(rule);
-    let builder = if std::env::var_os("INTEGRATED").is_some() { builder.enduring(carom::Enduring::Integrated) } else { builder };
     let mut world = builder.grains(grains::<D>(case))?.start()?;
     collide(&mut world, effort.equilibration)?;
     let (from, begin) = (world.now(), user_seconds());
