@@ -6,6 +6,8 @@ use core::fmt;
 
 /// What an error is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Subject {
     /// The grain with this number, in the order in which grains were added.
@@ -20,8 +22,10 @@ pub enum Subject {
     World,
 }
 
-/// Every way in which a world can refuse.
+/// Every way in which a world can refuse. With the feature `serde` it is written, not read: its words are the program's.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Error {
     /// A field has a value it cannot have.

@@ -41,6 +41,14 @@ if [[ ${debian:-false} == true ]]; then
     dpkg -s "$package" >/dev/null 2>&1 || missing+=("$package")
   done
 fi
+# The oldest toolchain that carom promises. Debian's is unpacked into a folder: a newer one is installed.
+oldest=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' ../Cargo.toml)
+toolchains=$(rustup toolchain list 2>/dev/null || true)
+if [[ $toolchains != *"$oldest"* ]]; then
+  for package in libllvm19 libpcre3 libhttp-parser2.9 libssh2-1; do
+    dpkg -s "$package" >/dev/null 2>&1 || missing+=("$package")
+  done
+fi
 if ((${#missing[@]})); then
   say "installing ${missing[*]}"
   { apt-get update -qq && apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >&2
@@ -64,6 +72,33 @@ build() { # directory, target, arguments of cargo
     export PATH RUSTC RUSTC_BOOTSTRAP
     "$(dpkg -L cargo-web | grep 'bin/cargo$' | head -1)" build --quiet --release --locked \
       -Zbuild-std=$std --target "$target" "$@"
+  )
+}
+
+unpack_oldest() { # folder
+  [[ ! -d $1 ]] || return 0
+  local version
+  version=$(apt-cache madison rustc-web | awk -v v="$oldest." 'index($3, v) == 1 { print $3; exit }')
+  [[ -n $version ]] || { say "neither rustup nor Debian has Rust $oldest: rustup toolchain install $oldest" && return 1; }
+  say "unpacking Rust $oldest ($SECONDS s)"
+  mkdir -p "$work/oldest" "$1.new"
+  (cd "$work/oldest" && apt-get download -qq {rustc-web,cargo-web,libstd-rust-web-dev,libstd-rust-web-"$oldest"}="$version") >&2
+  for package in "$work"/oldest/*.deb; do dpkg-deb -x "$package" "$1.new"; done
+  mv "$1.new" "$1"
+}
+
+# The host's replay by the oldest toolchain, with the packages that scenes/Cargo.lock names.
+replay_by_oldest() { # file of digests
+  local cargo=(cargo "+$oldest") root=$out/rust-$oldest
+  (
+    export CARGO_TARGET_DIR=$CARGO_TARGET_DIR/oldest
+    if [[ $toolchains != *"$oldest"* ]]; then
+      unpack_oldest "$root" || exit 1
+      cargo=("$root/usr/bin/cargo")
+      export RUSTC=$root/usr/bin/rustc LD_LIBRARY_PATH=$root/usr/lib/x86_64-linux-gnu
+    fi
+    say "building the replay with Rust $oldest ($SECONDS s)"
+    "${cargo[@]}" run --quiet --release --locked --manifest-path scenes/Cargo.toml --example replay -- $events >"$1"
   )
 }
 
@@ -174,6 +209,10 @@ metal firmware/cortex-m thumbv6m-none-eabi compact
 metal firmware/riscv riscv32imc-unknown-none-elf compact
 metal firmware/cortex-m thumbv7em-none-eabihf standard
 
+replay_by_oldest "$work/oldest.digests" || say "Rust $oldest: the replay failed"
+row "x86_64-rust-$oldest" "$(compare "x86_64, Rust $oldest" "$work/oldest.digests" "$host")" \
+  null null null null null null null
+
 build firmware/wasm wasm32-unknown-unknown
 module=$CARGO_TARGET_DIR/wasm32-unknown-unknown/release/carom_wasm_replay.wasm
 node firmware/wasm/replay.mjs "$module" >"$work/wasm32"
@@ -192,7 +231,7 @@ say "testing web ($SECONDS s)"
 $built && web test.sh --built || true
 
 rows=()
-for target in x86_64-release x86_64-debug thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32; do
+for target in x86_64-release x86_64-debug "x86_64-rust-$oldest" thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32; do
   rows+=("$(cat "$work/row.$target" 2>/dev/null || echo "$target false null null null null null null null")")
 done
 field() { awk -v target="$1" -v n="$2" '$1 == target { print $n }' <(printf '%s\n' "${rows[@]}"); }

@@ -10,12 +10,12 @@ use crate::scalar::{Scalar, WideProduct};
 /// Steps after which a search pauses and says how far it has come.
 const MAX_STEPS: usize = 64;
 
-/// What a search found.
+/// What a search found: at which time, or after which span since its start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Found<S> {
-    /// f ≤ 0 and ḟ < 0 after this span, for the first time.
+    /// f ≤ 0 and ḟ < 0 then, for the first time.
     Event(S),
-    /// No event before this span; further than that it has not looked.
+    /// No event before; further than that it has not looked.
     NotBefore(S),
     /// No event before the limit.
     Nothing,
@@ -23,10 +23,19 @@ pub enum Found<S> {
 
 impl<S: Scalar> Found<S> {
     /// Up to when nothing happens.
-    pub fn span(&self) -> S {
+    pub fn time(&self) -> S {
         match *self {
-            Self::Event(span) | Self::NotBefore(span) => span,
+            Self::Event(time) | Self::NotBefore(time) => time,
             Self::Nothing => S::NEVER,
+        }
+    }
+
+    /// The same as times, if it was found as spans since `start`.
+    pub fn from(self, start: S) -> Self {
+        match self {
+            Self::Event(span) => Self::Event(start + span),
+            Self::NotBefore(span) => Self::NotBefore(start + span),
+            Self::Nothing => Self::Nothing,
         }
     }
 }
@@ -36,7 +45,7 @@ impl<S: Scalar> Found<S> {
 pub struct Search<S> {
     /// M > 0: the least that f̈ can be is −M.
     pub bound: S,
-    /// The smallest step: f changes by no more than M·least²/2 against its parabola meanwhile.
+    /// The smallest step: f changes by less than its rounding against its parabola meanwhile.
     pub least: S,
     /// The span beyond which nobody asks.
     pub limit: S,
@@ -44,8 +53,11 @@ pub struct Search<S> {
 
 impl<S: Scalar> Search<S> {
     /// A search for something of this size: what it can miss is below the size's last place.
-    pub fn new(bound: S, size: S, limit: S) -> Self {
-        let least = S::min_step(size, bound);
+    ///
+    /// `most` is the most that f̈ can be. The root does not depend on the limit: it has the same bits, whoever
+    /// asks, and however far.
+    pub fn new([bound, most]: [S; 2], size: S, limit: S) -> Self {
+        let least = S::min_step(size, bound.max(most));
         Self { bound, least, limit }
     }
 
@@ -81,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_parabola_takes_one_step() {
-        let search = Search::new(9.81, 1.0, 10.0);
+        let search = Search::new([9.81; 2], 1.0, 10.0);
         let found = search.first(|t: f64| (1.0 - 0.5 * 9.81 * t * t, -9.81 * t));
         let Found::Event(t) = found else { panic!("{found:?}") };
         assert!((t - libm::sqrt(2.0 / 9.81)).abs() < 1e-15, "{t}");
@@ -89,7 +101,7 @@ mod tests {
 
     #[test]
     fn an_overlap_that_gets_better_waits_for_its_peak() {
-        let search = Search::new(1.0, 1.0, 10.0);
+        let search = Search::new([1.0; 2], 1.0, 10.0);
         let found = search.first(|t: f64| (-1.0 + 0.5 * t - 0.5 * t * t, 0.5 - t));
         let Found::Event(t) = found else { panic!("{found:?}") };
         assert!((t - 0.5).abs() < 1e-7, "{t}");
@@ -97,7 +109,7 @@ mod tests {
 
     #[test]
     fn a_wave_that_does_not_touch_is_no_event() {
-        let search = Search::new(1.0, 1.0, 100.0);
+        let search = Search::new([1.0; 2], 1.0, 100.0);
         let wave = |t: f64| (1.0 + 1e-9 + libm::sin(t), libm::cos(t));
         let mut from = 0.0;
         while let Found::NotBefore(t) = search.first(|s| wave(from + s)) {

@@ -122,8 +122,8 @@ fn shaken_crossing<S: Scalar, const D: usize>(
     };
     let (start, a) = (along(&me.position), along(&flight::acceleration(me, domain)).abs());
     let bound = a + plate_acceleration::peak_acceleration(domain, me);
-    let bound = bound.max(S::negligible_acceleration(me.radius, S::one()));
-    Search::new(bound, me.radius, S::NEVER).first(|t| {
+    let bound = bound.max(S::negligible_acceleration(me.radius));
+    Search::new([bound; 2], me.radius, S::NEVER).first(|t| {
         let there = flight::at(me, domain, now + t);
         (gap + (along(&there.position) - start), along(&there.velocity))
     })

@@ -43,13 +43,13 @@ pub(super) fn nearest_image<S: Scalar, const D: usize>(
     domain.boundary.nearest(apart) - apart
 }
 
-/// After which span two bodies touch of which at least one is supported. Both are as they are now.
+/// How long after `start` two bodies touch of which at least one is supported. Both are as they are then.
 ///
 /// A pair in contact has one velocity copied twice; it is skipped by the caller so that rounding of
 /// two clocks cannot make it meet itself.
 pub(super) fn supported_pair<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
-    now: S,
+    start: S,
     [me, other]: [&Body<S, D>; 2],
     limit: S,
 ) -> Found<S> {
@@ -59,19 +59,20 @@ pub(super) fn supported_pair<S: Scalar, const D: usize>(
     }
     let apart = flight::acceleration(me, domain) - flight::acceleration(other, domain);
     let together = flight::carrying_plates(me, domain).eq(flight::carrying_plates(other, domain));
-    let alike = me.planes == other.planes && me.is_asleep() == other.is_asleep();
-    if alike || (together && !(norm(&apart) > S::zero())) {
-        let separation = domain.separation(me, other);
-        let found = root::spheres(&separation, &(me.velocity - other.velocity), reach);
-        return found.map_or(Found::Nothing, Found::Event);
-    }
     let shaking = match together {
         true => S::zero(),
         false => peak_acceleration(domain, me) + peak_acceleration(domain, other),
     };
     let bound = norm(&apart) + shaking;
-    Search::new(bound.max(S::negligible_acceleration(reach, limit)), reach, limit).first(|t| {
-        let [a, b] = [me, other].map(|body| flight::at(body, domain, now + t));
+    let velocity = me.velocity - other.velocity;
+    if bound <= S::negligible_acceleration(reach) {
+        let found = root::spheres(&domain.separation(me, other), &velocity, reach);
+        return found.map_or(Found::Nothing, Found::Event);
+    }
+    // Where they pass each other the distance grows by v²/r.
+    let most = bound + S::dot(&velocity, &velocity).divided_by(reach);
+    Search::new([bound, most], reach, limit).first(|t| {
+        let [a, b] = [me, other].map(|body| flight::at(body, domain, start + t));
         overlap(&domain.separation(&a, &b), &(a.velocity - b.velocity), reach)
     })
 }
@@ -98,17 +99,17 @@ pub(super) fn free_body_and_wall<S: Scalar, const D: usize>(
     Some(me.clock + root::plane(gap, dot(n, &me.velocity), dot(n, domain.gravity()))?)
 }
 
-/// After which span a body, as it is now, touches a plane that does not support it.
+/// How long after `start` a body, as it is then, touches a plane that does not support it.
 pub(super) fn body_and_plane<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
-    now: S,
+    start: S,
     me: &Body<S, D>,
     (plane, limit): (&Plane<S, D>, S),
 ) -> Found<S> {
     let n = &plane.normal;
     let mean = plane.mean_gap(&me.position, me.radius);
     let (v, a) = (dot(n, &me.velocity), dot(n, &flight::acceleration(me, domain)));
-    let bracketed = |from| bracketed_from(domain, now, me, (plane, from, limit));
+    let bracketed = |from| bracketed_from(domain, start, me, (plane, from, limit));
     let Some(vibration) = plane.vibration else {
         return match peak_acceleration_along(domain, me, n) > S::zero() {
             false => root::plane(mean, v, a).map_or(Found::Nothing, Found::Event),
@@ -129,16 +130,16 @@ pub(super) fn body_and_plane<S: Scalar, const D: usize>(
 /// The same while the plane or what carries the body vibrates, looking from a span on.
 fn bracketed_from<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
-    now: S,
+    start: S,
     me: &Body<S, D>,
     (plane, from, limit): (&Plane<S, D>, S, S),
 ) -> Found<S> {
     let a = dot(&plane.normal, &flight::acceleration(me, domain)).abs();
     let shaking = plane.vibration.map_or(S::zero(), |v| v.peak_acceleration())
         + peak_acceleration_along(domain, me, &plane.normal);
-    let bound = (a + shaking).max(S::negligible_acceleration(me.radius, limit));
-    let found = Search::new(bound, me.radius, limit - from).first(|t| {
-        let then = now + (from + t);
+    let bound = (a + shaking).max(S::negligible_acceleration(me.radius));
+    let found = Search::new([bound; 2], me.radius, limit - from).first(|t| {
+        let then = start + (from + t);
         let body = flight::at(me, domain, then);
         let rate = dot(&plane.normal, &body.velocity) - plane.motion(then).speed;
         (plane.gap(&body.position, me.radius, then), rate)

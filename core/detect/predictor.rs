@@ -93,9 +93,9 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
         Some(Self { particles, domain, now, grain, me, at, here, velocity, own, out_of_reach })
     }
 
-    /// How far a search needs to look.
+    /// Until when a search needs to look.
     fn limit(&self, first: &ScheduledEvent<S>) -> S {
-        self.own.time.min(self.out_of_reach.time).min(first.collision_time) - self.now
+        self.own.time.min(self.out_of_reach.time).min(first.collision_time)
     }
 
     /// The grain itself: what a batch is filled up with.
@@ -118,11 +118,10 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     /// not fit, and the prefilter costs what an exact test does.
     #[inline(never)]
     fn one_by_one(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch, same_image: bool) {
-        let now = (self.particles.supported > 0)
-            .then(|| self.particles.present(self.grain, self.domain, self.now));
-        let free = batch.only(self.filler(), |k| match (self.particles.body(k as usize), &now) {
-            (Some(other), Some(now)) if now.is_supported() || other.is_supported() => {
-                self.supported(first, k as usize, (now, other));
+        let any = self.particles.supported > 0;
+        let free = batch.only(self.filler(), |k| match self.particles.body(k as usize) {
+            Some(other) if any && (self.me.is_supported() || other.is_supported()) => {
+                self.supported(first, k as usize, other);
                 false
             }
             _ => true,
@@ -189,20 +188,33 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
 
     /// The same if one of the two is supported.
     #[inline(never)]
-    fn supported(
-        &self,
-        first: &mut ScheduledEvent<S>,
-        k: usize,
-        (now, other): (&Body<S, D>, &Body<S, D>),
-    ) {
+    fn supported(&self, first: &mut ScheduledEvent<S>, k: usize, other: &Body<S, D>) {
         if self.is_in_contact_with(k, other) {
             return;
         }
-        let there = self.particles.present(k, self.domain, self.now);
         let limit = self.limit(first);
-        let found = collision_time::supported_pair(self.domain, self.now, [now, &there], limit);
+        let look = |start: S| {
+            let [me, other] = [self.me, other].map(|body| self.at(body, start));
+            collision_time::supported_pair(self.domain, start, [&me, &other], limit - start)
+        };
+        let found = self.search(self.me.clock.max(other.clock), look);
         let from = self.me.uninterruptible_until().max(other.uninterruptible_until());
         self.found(first, found, from, Partner::grain(k));
+    }
+
+    /// A body at a time, which often is its own.
+    fn at(&self, body: &Body<S, D>, time: S) -> Body<S, D> {
+        if body.clock == time { *body } else { flight::at(body, self.domain, time) }
+    }
+
+    /// Searches from where the motions began, so that the event has the same bits whenever one asks; what is past
+    /// by now was put off, and only what follows counts.
+    fn search(&self, start: S, look: impl Fn(S) -> Found<S>) -> Found<S> {
+        let found = look(start).from(start);
+        if start < self.now && found.time() <= self.now {
+            return look(self.now).from(self.now);
+        }
+        found
     }
 
     /// A collision with grain `k` was deferred, and now they have passed each other, or approach still.
@@ -226,9 +238,17 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
             }
             let from = me.uninterruptible_until();
             if me.is_supported() || plane.vibration.is_some() {
-                let now = self.particles.present(self.grain, self.domain, self.now);
-                let limited = (plane, self.limit(first));
-                let found = collision_time::body_and_plane(self.domain, self.now, &now, limited);
+                let limit = self.limit(first);
+                let look = |start: S| {
+                    let body = self.at(me, start);
+                    collision_time::body_and_plane(
+                        self.domain,
+                        start,
+                        &body,
+                        (plane, limit - start),
+                    )
+                };
+                let found = self.search(me.clock, look);
                 self.found(first, found, from, Partner::plane(p));
             } else if let Some(time) = collision_time::free_body_and_wall(self.domain, me, plane) {
                 self.keep_earlier(first, time.max(self.now).max(from), Partner::plane(p), 0);
@@ -241,12 +261,8 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
         let other = partner.as_grain().and_then(|k| self.particles.body(k));
         let count = other.map_or(0, |body| body.event_count);
         match found {
-            Found::Event(span) => {
-                self.keep_earlier(first, (self.now + span).max(from), partner, count);
-            }
-            Found::NotBefore(span) => {
-                self.keep_earlier(first, self.now + span, Partner::NOTHING, 0);
-            }
+            Found::Event(time) => self.keep_earlier(first, time.max(from), partner, count),
+            Found::NotBefore(time) => self.keep_earlier(first, time, Partner::NOTHING, 0),
             Found::Nothing => {}
         }
     }
@@ -318,9 +334,9 @@ fn own_event<S: Scalar, const D: usize>(
     if me.planes == 0 {
         return ScheduledEvent::NONE;
     }
-    match take_off::take_off(domain, now, me) {
-        Found::Event(span) => ScheduledEvent::alone(now + span, EventKind::TakeOff),
-        Found::NotBefore(span) => ScheduledEvent::alone(now + span, EventKind::Recheck),
+    match take_off::take_off(domain, me).from(me.clock) {
+        Found::Event(time) => ScheduledEvent::alone(time.max(now), EventKind::TakeOff),
+        Found::NotBefore(time) => ScheduledEvent::paused(time.max(now)),
         Found::Nothing => ScheduledEvent::NONE,
     }
 }

@@ -8,6 +8,7 @@ use crate::space::CellFace;
 /// What a grain's next event is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum EventKind {
     /// It touches its partner: a grain or a plane (E^φ of MP13, or an instantaneous collision).
@@ -82,6 +83,16 @@ impl<S: Scalar> ScheduledEvent<S> {
     /// An event without a partner.
     pub(crate) fn alone(time: S, kind: EventKind) -> Self {
         Self { time, kind, ..Self::NONE }
+    }
+
+    /// A search got no further: it goes on then, from there.
+    pub(crate) fn paused(time: S) -> Self {
+        Self { collision_time: time, ..Self::alone(time, EventKind::Recheck) }
+    }
+
+    /// Whether it is that.
+    pub(crate) fn is_pause(&self) -> bool {
+        self.kind == EventKind::Recheck && self.collision_time <= self.time
     }
 
     /// What the event is about: nothing but the grain itself, unless it is a collision.

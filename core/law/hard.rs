@@ -11,6 +11,8 @@ use crate::scalar::Scalar;
 /// let steel = HardSphere { restitution: 0.95_f64 };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HardSphere<S> {
     /// Coefficient of restitution 0 ≤ ε ≤ 1.
     pub restitution: S,
@@ -34,6 +36,8 @@ impl<S: Scalar> Rule<S> for HardSphere<S> {
 ///
 /// This is eMD as MP13 compares it with: the law's own ε, but no duration and no rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Central<R>(pub R);
 
 impl<S: Scalar, R: Rule<S>> Rule<S> for Central<R> {
@@ -45,6 +49,10 @@ impl<S: Scalar, R: Rule<S>> Rule<S> for Central<R> {
             other => other,
         };
         Answer { response, ..answer }
+    }
+
+    fn adds_energy(&self) -> bool {
+        self.0.adds_energy()
     }
 
     fn check(&self) -> Result<(), Error> {

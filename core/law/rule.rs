@@ -7,6 +7,8 @@ use crate::scalar::Scalar;
 ///
 /// Against a plane, the reduced mass and both radii are the grain's own and there is no tangential speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Impact<S> {
     /// l = R₁ + R₂.
     pub contact_distance: S,
@@ -24,6 +26,8 @@ pub struct Impact<S> {
 
 /// A lasting contact's whole outcome: the matrix of restitution (MP13 Eq. 23) and the duration.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Outcome<S> {
     /// The contact duration τ = ε_t T.
     pub duration: S,
@@ -35,8 +39,10 @@ pub struct Outcome<S> {
     pub angle: S,
 }
 
-/// What two bodies that touch do.
+/// What two bodies that touch do. With the feature `serde` it is written, not read, as [`Error`] is.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Response<S> {
     /// An instantaneous collision with this coefficient of restitution.
@@ -56,6 +62,8 @@ pub enum Response<S> {
 
 /// How far an answer can be trusted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Validity {
     /// The impact lies inside the domain of the law's table, or needs none.
@@ -68,6 +76,8 @@ pub enum Validity {
 
 /// A response and how far it can be trusted. The world counts what is not [`Validity::Inside`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Answer<S> {
     /// What happens.
     pub response: Response<S>,
@@ -108,6 +118,11 @@ pub trait Rule<S: Scalar> {
     /// What these two do. Called once for each contact.
     fn collide(&self, impact: &Impact<S>) -> Answer<S>;
 
+    /// Whether grains may part faster than they met. A restitution above 1 is refused unless this says so.
+    fn adds_energy(&self) -> bool {
+        false
+    }
+
     /// Whether the rule's parameters make sense; asked once, when a world starts.
     ///
     /// # Errors
@@ -137,6 +152,9 @@ pub trait Rule<S: Scalar> {
 impl<S: Scalar, R: Rule<S> + ?Sized> Rule<S> for &R {
     fn collide(&self, impact: &Impact<S>) -> Answer<S> {
         (**self).collide(impact)
+    }
+    fn adds_energy(&self) -> bool {
+        (**self).adds_energy()
     }
     fn check(&self) -> Result<(), Error> {
         (**self).check()

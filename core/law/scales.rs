@@ -7,6 +7,8 @@ use carom_tables::read::{Groups, Law, ScaledRestitution};
 
 /// The scales of one impact (MP13, Sec. V).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scales<S> {
     /// The unit of time T.
     pub time: S,
@@ -84,6 +86,8 @@ pub trait ForceLaw<S: Scalar> {
 /// # Units
 /// `stiffness` k in N/m, `damping` γ in kg/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LinearDashpot<S> {
     /// Spring constant k > 0.
     pub stiffness: S,
@@ -96,6 +100,8 @@ pub struct LinearDashpot<S> {
 /// # Units
 /// `young` Y in Pa, `poisson` ν without unit, `dissipation` A in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Viscoelastic<S> {
     /// Young's modulus Y > 0.
     pub young: S,

@@ -13,6 +13,8 @@ use carom_tables::read::{Groups, StoredNumber, Table};
 
 /// What to do with an impact outside the table's domain. It is counted in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Outside {
     /// Stop with an error.

@@ -27,6 +27,21 @@ pub struct Grain<S: Scalar, const D: usize> {
     pub material: u8,
 }
 
+#[cfg(feature = "defmt")]
+impl<S: Scalar + defmt::Format, const D: usize> defmt::Format for Grain<S, D> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(
+            f,
+            "Grain {{ position: {}, velocity: {}, radius: {}, mass: {}, material: {=u8} }}",
+            self.position.as_slice(),
+            self.velocity.as_slice(),
+            self.radius,
+            self.mass,
+            self.material
+        );
+    }
+}
+
 impl<S: Scalar, const D: usize> Grain<S, D> {
     /// A sphere of this radius and mass density, at rest at the origin.
     ///

@@ -78,3 +78,14 @@ impl core::fmt::Display for Partner {
         }
     }
 }
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Partner {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        match (self.as_grain(), self.as_plane()) {
+            (Some(i), _) => defmt::write!(f, "grain {=usize}", i),
+            (_, Some(p)) => defmt::write!(f, "plane {=usize}", p),
+            (None, None) => defmt::write!(f, "nothing"),
+        }
+    }
+}

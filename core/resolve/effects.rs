@@ -4,6 +4,8 @@ use crate::law::Outcome;
 
 /// What an event did.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum EventOutcome<S> {
     /// An instantaneous collision with this coefficient of restitution.

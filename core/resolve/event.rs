@@ -26,6 +26,7 @@ pub(crate) fn resolve<S: Scalar, const D: usize>(
         EventKind::TakeOff => Ok(wake::take_off(context, grain)),
         EventKind::SupportCheck => Ok(wake::check_support(context, grain)),
         EventKind::CellCrossing => Ok(cross(context, grain, event.face)),
+        EventKind::Recheck if event.is_pause() => Ok(go_on(context, grain)),
         EventKind::BoundarySentinel | EventKind::Recheck | EventKind::Step | EventKind::Nothing => {
             Ok(EventOutcome::Unchanged)
         }
@@ -53,6 +54,16 @@ fn touch<S: Scalar, const D: usize>(
         (None, Some(p)) => plane_collision::collide(context, rule, (i, p)),
         (None, None) => Ok(EventOutcome::Unchanged),
     }
+}
+
+/// A search paused: it goes on from here, as if the grain's motion began now.
+fn go_on<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    grain: usize,
+) -> EventOutcome<S> {
+    let present = context.present(grain);
+    context.replace(grain, present);
+    EventOutcome::Unchanged
 }
 
 /// Grain `i` leaves its cell: other grains are near it now; its motion stays the same.

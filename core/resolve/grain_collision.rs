@@ -57,11 +57,10 @@ fn respond<S: Scalar, const D: usize>(
         return Ok(EventOutcome::CameToRest);
     }
     let [asleep, supported] = [Body::is_asleep, Body::is_supported].map(|is| pair.iter().any(is));
-    if let Response::Lasting(outcome) = response
-        && !(is_slow && asleep)
-        && contact_begin::begin(context, who, &pair, (frame, &outcome))
-    {
-        return Ok(EventOutcome::ContactBegan(outcome));
+    if let (Response::Lasting(outcome), false) = (response, is_slow && asleep) {
+        if contact_begin::begin(context, who, &pair, (frame, &outcome)) {
+            return Ok(EventOutcome::ContactBegan(outcome));
+        }
     }
     if is_slow && supported {
         return supported_collision::collide(context, who, &pair, frame);

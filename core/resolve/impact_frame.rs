@@ -2,10 +2,12 @@
 
 use crate::law::{Impact, Outcome};
 use crate::particle::Body;
-use crate::scalar::{Scalar, Vector, WideProduct, norm};
+use crate::scalar::{Scalar, Vector, norm};
 
 /// Two bodies as they touch: the relative coordinates of MP13, Eq. (5), seen from the second.
 pub(crate) struct ImpactFrame<S: Scalar, const D: usize> {
+    /// r₁ − r₂.
+    separation: Vector<S, D>,
     /// Unit vector from the second body to the first.
     pub e_r: Vector<S, D>,
     /// Unit vector of the tangential motion; zero if there is none.
@@ -27,11 +29,11 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
         }
         let e_r = separation / distance;
         // The sign is that of r·v, as in the prediction: else rounding could make an event of nothing.
-        let radial = S::dot(&separation, &velocity).divided_by(distance);
-        let across = velocity - e_r * radial;
+        let radial = S::component(&separation, &velocity, distance);
+        let across = velocity - S::along(&separation, radial, distance);
         let tangential = if D > 1 { norm(&across) } else { S::zero() };
         let e_t = if tangential > S::zero() { across / tangential } else { Vector::zeros() };
-        Some(Self { e_r, e_t, distance, radial, tangential })
+        Some(Self { separation, e_r, e_t, distance, radial, tangential })
     }
 
     /// What a rule may know of the two.
@@ -46,6 +48,11 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
         }
     }
 
+    /// The vector of this magnitude from the second body to the first.
+    pub fn along(&self, magnitude: S) -> Vector<S, D> {
+        S::along(&self.separation, magnitude, self.distance)
+    }
+
     /// Separation and relative velocity after the contact (MP13 Eqs. 24, 26, 28, 34–38).
     ///
     /// Distance and tangential speed change by ε_r and 1/ε_r, so angular momentum (Eq. 19) and, in an
@@ -54,15 +61,15 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
     pub fn after(&self, reach: S, outcome: &Outcome<S>) -> (Vector<S, D>, Vector<S, D>) {
         let (sin, cos) = outcome.angle.sin_cos();
         let e_r = self.e_r * cos + self.e_t * sin;
-        let e_t = self.e_t * cos - self.e_r * sin;
         let shallow = self.distance > reach * S::from_f64(1.0 - 1.0 / 1024.0);
         let before = if shallow { self.distance } else { reach };
         let distance = before * outcome.separation;
         let tangential = self.tangential * (self.distance / before) / outcome.separation;
         let radial = -self.radial * outcome.restitution;
         if !(self.tangential > S::zero()) {
-            return (self.e_r * distance, self.e_r * radial);
+            return (self.e_r * distance, self.along(radial));
         }
-        (e_r * distance, e_r * radial + e_t * tangential)
+        let (along, across) = (cos * radial - sin * tangential, sin * radial + cos * tangential);
+        (e_r * distance, self.along(along) + self.e_t * across)
     }
 }

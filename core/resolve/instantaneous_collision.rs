@@ -44,7 +44,7 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     }
     let least = min_parting_speed(&a.velocity) + min_parting_speed(&b.velocity);
     let away = (restitution * speed).max(least);
-    let change = frame.e_r * (speed + away);
+    let change = frame.along(speed + away);
     let mass = a.mass + b.mass;
     wake::kick(context, i, &counted(a, x), change * (b.mass / mass));
     wake::kick(context, k, &counted(b, y), -change * (a.mass / mass));

@@ -6,6 +6,7 @@ use crate::scalar::{Scalar, Vector};
 /// How a contact ends for its two grains when a third body interrupts it (MP13 §VI.B.5, exception b).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Release {
     /// Both grains are released at once: angular momentum is kept.

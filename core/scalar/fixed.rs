@@ -70,7 +70,7 @@ macro_rules! scalar {
             fn min_step(_: Self, bound: Self) -> Self {
                 Comparison::max(Self::DELTA.root_of_ratio(bound + bound), Self::DELTA)
             }
-            fn negligible_acceleration(_: Self, _: Self) -> Self {
+            fn negligible_acceleration(_: Self) -> Self {
                 Self::DELTA
             }
         }
@@ -140,6 +140,21 @@ macro_rules! scalar {
                 let products = a.iter().zip(b.iter()).map(|(x, y)| x.times(*y));
                 products.reduce(|x, y| x + y).unwrap_or_default()
             }
+            // These numbers lie equally dense everywhere: no length is always rounded one way.
+            fn component<const D: usize>(
+                r: &Vector<Self, D>,
+                v: &Vector<Self, D>,
+                length: Self,
+            ) -> Self {
+                <Self as Products>::dot(r, v).divided_by(length)
+            }
+            fn along<const D: usize>(
+                r: &Vector<Self, D>,
+                x: Self,
+                length: Self,
+            ) -> Vector<Self, D> {
+                r / length * x
+            }
             fn is_negligible<const D: usize>(part: &Vector<Self, D>, of: &Vector<Self, D>) -> bool {
                 let square = |v| <Self as Products>::dot(v, v).bits();
                 let part = square(part).and_then(|p| p.checked_mul(10_000));
@@ -165,7 +180,7 @@ macro_rules! scalar {
             type Lanes = Each<Self>;
 
             fn bits(self) -> u64 {
-                i64::from(self.to_bits()).cast_unsigned()
+                i64::from(self.to_bits()) as u64
             }
             fn from_count(count: u32) -> Self {
                 Self::from_whole(count)

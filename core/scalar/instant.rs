@@ -143,3 +143,10 @@ impl fmt::Display for Instant {
         self.as_f64().fmt(f)
     }
 }
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Instant {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=f64}", self.as_f64());
+    }
+}

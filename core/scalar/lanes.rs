@@ -5,6 +5,8 @@
 use carom_tables::read::Real;
 use core::ops::{Add, Mul, Sub};
 use num_traits::{One, Zero};
+#[cfg(target_arch = "x86_64")]
+use wide::{CmpGe, CmpGt};
 
 /// How many numbers are side by side: two where a register of every machine holds two `f64`.
 pub const LANES: usize = if cfg!(target_arch = "x86_64") { 2 } else { 1 };
@@ -89,10 +91,10 @@ impl Lanes<f64> for wide::f64x2 {
     }
     #[inline(always)]
     fn where_above(self, limit: Self, value: Self) -> Self {
-        self.simd_gt(limit) & value
+        self.cmp_gt(limit) & value
     }
     #[inline(always)]
     fn at_least(self, other: Self) -> u32 {
-        self.simd_ge(other).to_bitmask()
+        self.cmp_ge(other).move_mask().unsigned_abs()
     }
 }

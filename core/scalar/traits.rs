@@ -62,6 +62,10 @@ pub trait Range: Copy {
     fn in_range(self) -> bool {
         self.is_finite()
     }
+    /// Whether the square of this, and what rounding leaves of it, are numbers again.
+    fn has_square(self) -> bool {
+        true
+    }
     /// After which time a body of this speed and acceleration may have left the range; none if it cannot.
     #[must_use]
     fn time_in_range(_speed: Self, _acceleration: Self) -> Option<Self> {
@@ -94,11 +98,10 @@ pub trait Rounding: Real + num_traits::Zero + Comparison {
     fn min_step(size: Self, bound: Self) -> Self {
         (Self::RESOLUTION * Self::from_f32(0.5) * (size / bound)).sqrt()
     }
-    /// An acceleration above zero too weak to matter to something of this size before the limit.
+    /// An acceleration too weak to matter to something of this size.
     #[must_use]
-    fn negligible_acceleration(size: Self, limit: Self) -> Self {
-        let span = limit.min(Self::from_f32(1e9)).max(Self::RESOLUTION);
-        Self::RESOLUTION * (size / span) / span + Self::RESOLUTION * Self::RESOLUTION * size
+    fn negligible_acceleration(size: Self) -> Self {
+        Self::RESOLUTION * Self::RESOLUTION * size
     }
 }
 
@@ -152,6 +155,13 @@ pub trait Products: Real {
     fn times(self, other: Self) -> Self::Product;
     /// The scalar product, not yet rounded.
     fn dot<const D: usize>(a: &Vector<Self, D>, b: &Vector<Self, D>) -> Self::Product;
+    /// The component of v along r, (r·v)/|r|, with the sign of r·v; `length` is |r|, rounded.
+    ///
+    /// Without a trend: beside a power of two a square root is always rounded one way. Unit vectors made by it
+    /// are too long on average, and the energy of an elastic gas would rise with every collision.
+    fn component<const D: usize>(r: &Vector<Self, D>, v: &Vector<Self, D>, length: Self) -> Self;
+    /// The vector of magnitude x along r; `length` is |r|, rounded. Without a trend, too.
+    fn along<const D: usize>(r: &Vector<Self, D>, x: Self, length: Self) -> Vector<Self, D>;
     /// Whether a part of a vector is below a hundredth of it.
     fn is_negligible<const D: usize>(part: &Vector<Self, D>, of: &Vector<Self, D>) -> bool;
     /// When two spheres touch, if this type finds it in a way of its own, see `detect::root::spheres`.

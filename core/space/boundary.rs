@@ -9,6 +9,7 @@ pub const MAX_PLANES: usize = 8;
 /// A periodic axis from `low` to `low + length`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PeriodicAxis<S> {
     /// Where the box begins.
     pub low: S,

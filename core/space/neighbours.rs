@@ -55,8 +55,9 @@ impl NeighbourBatch {
     /// The grains, as many at a time as are computed with side by side; at the end the filler.
     #[inline]
     pub fn groups(&self) -> impl Iterator<Item = &[u32; LANES]> {
-        const { assert!(BATCH.is_multiple_of(LANES) && LANES <= 2) };
-        self.grains.as_chunks().0.iter().take(self.count.div_ceil(LANES))
+        const { assert!(BATCH % LANES == 0 && LANES <= 2) };
+        let groups = self.grains.chunks_exact(LANES).take(self.count.div_ceil(LANES));
+        groups.filter_map(|group| group.try_into().ok())
     }
 
     /// Some of them.

@@ -68,9 +68,8 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
     /// Writes a body that was put somewhere else: inside the box and in its new cell, too.
     pub fn relocate(&mut self, boundary: &Boundary<'_, S, D>, grain: usize, mut body: Body<S, D>) {
         body.position = boundary.wrap(body.position);
-        if let Some(cell) = self.cells.grid.as_ref().map(|grid| grid.locate(&body.position))
-            && cell != body.cell
-        {
+        let cell = self.cells.grid.as_ref().map(|grid| grid.locate(&body.position));
+        if let Some(cell) = cell.filter(|cell| *cell != body.cell) {
             self.cells.remove(grain, body.cell);
             self.cells.insert(grain, cell);
             body.cell = cell;

@@ -5,6 +5,7 @@ use crate::scalar::{Instant, Scalar, Vector, dot, vector};
 /// What a plane does to a grain that touches it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Surface<S> {
     /// The world's rule decides: the law with infinite mass, without rotation.
@@ -30,6 +31,7 @@ pub enum Surface<S> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Vibration<S> {
     /// A₀.
     pub amplitude: S,
@@ -120,6 +122,20 @@ pub struct Plane<S: Scalar, const D: usize> {
     pub surface: Surface<S>,
     /// How it moves; none if it stands still.
     pub vibration: Option<Vibration<S>>,
+}
+
+#[cfg(feature = "defmt")]
+impl<S: Scalar + defmt::Format, const D: usize> defmt::Format for Plane<S, D> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(
+            f,
+            "Plane {{ normal: {}, offset: {}, surface: {}, vibration: {} }}",
+            self.normal.as_slice(),
+            self.offset,
+            self.surface,
+            self.vibration
+        );
+    }
 }
 
 impl<S: Scalar, const D: usize> Plane<S, D> {

@@ -1,9 +1,9 @@
 //! Is this a world that can run? Reads what the user says, checks each field; writes the memory.
 
-use super::check_input;
 use super::state::{Progress, World};
 use super::statistics::Statistics;
 use super::storage::{Buffers, Storage};
+use super::{check_input, check_scales};
 use crate::cluster::{Clusters, Enduring, Settings};
 use crate::detect::ScheduledEvent;
 use crate::error::{Error, Subject};
@@ -269,6 +269,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
             body.position = boundary.on_lattice(boundary.wrap_from_far(body.position));
             check_input::inside(&boundary, i, body)?;
         }
+        check_scales::scales(&boundary, &self.gravity, bodies)?;
         events.fill(ScheduledEvent::NONE);
         let reach = largest_radius + largest_radius;
         let grid = Grid::choose(&boundary, bodies, reach, heads.len());

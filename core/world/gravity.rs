@@ -1,5 +1,6 @@
 //! What changes when gravity does? Reads and writes the whole state between events.
 
+use super::check_scales;
 use super::state::World;
 use crate::cluster;
 use crate::error::{Error, Subject};
@@ -21,6 +22,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             let value = gravity.iter().find(|x| !x.is_finite()).map_or(0.0, |x| x.to_f64());
             return Err(Error::input(Subject::World, "gravity", value, "a finite number"));
         }
+        check_scales::gravity(&gravity, self.particles.largest_radius)?;
         if self.parameters.settings.is_integrated() {
             return self.change_gravity(gravity);
         }

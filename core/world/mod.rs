@@ -3,6 +3,7 @@
 mod advance;
 mod builder;
 mod check_input;
+mod check_scales;
 mod check_snapshot;
 mod digest;
 mod gravity;

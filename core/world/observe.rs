@@ -8,6 +8,8 @@ use crate::scalar::{Instant, Scalar};
 
 /// One event as an observer sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Event<S> {
     /// When.
     pub at: Instant,

@@ -8,6 +8,7 @@ use crate::resolve::Incident;
 /// Counting changes nothing: the future of a world does not depend on its statistics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Statistics {
     /// Contacts of two grains that began (E^φ), or instantaneous collisions of two grains.

@@ -17,14 +17,21 @@ pub struct View<'a, S: Scalar, const D: usize> {
 impl<S: Scalar, const D: usize> core::fmt::Debug for View<'_, S, D> {
     /// The present, gravity and every grain as it is now.
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let grains = core::fmt::from_fn(|f| {
-            f.debug_list().entries((0..self.len()).filter_map(|i| self.grain(i))).finish()
-        });
         f.debug_struct("View")
             .field("now", &self.now())
             .field("gravity", &self.gravity())
-            .field("grains", &grains)
+            .field("grains", &Grains(*self))
             .finish()
+    }
+}
+
+/// All grains of a view, as they are now.
+struct Grains<'a, S: Scalar, const D: usize>(View<'a, S, D>);
+
+impl<S: Scalar, const D: usize> core::fmt::Debug for Grains<'_, S, D> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self(view) = self;
+        f.debug_list().entries((0..view.len()).filter_map(|i| view.grain(i))).finish()
     }
 }
 

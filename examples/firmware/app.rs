@@ -30,16 +30,17 @@ pub fn tilt_box<S: Number>(
 const STEPS: u32 = 10_000;
 const BEGIN: u32 = 8;
 
-/// Measures the tilt box with each of these tables and by MD, one line for each number.
+/// Measures the tilt box with each of these tables, the mean of so many runs, and by MD, one line for each number.
 pub fn measure_all<S: Number>(
     tables: &[(&str, &'static Table<S::Stored>)],
+    runs: usize,
     stack: usize,
     board: &mut impl Board,
 ) {
     println!("memory {}", size_of::<tilt::Box32<S>>());
     println!("world {}", size_of::<World<'_, S, 2, Rubber<S>>>());
     for (name, table) in tables {
-        measure::<S>(name, table, stack, board);
+        measure::<S>(name, table, runs, stack, board);
         println!("{name}.lookup {}", measure::lookup::<S>(table, board));
     }
     match measure::time_stepped::<S>(S::compact(), BEGIN, STEPS, board) {
@@ -53,12 +54,13 @@ pub fn measure_all<S: Number>(
 fn measure<S: Number>(
     name: &str,
     table: &'static Table<S::Stored>,
+    runs: usize,
     stack: usize,
     board: &mut impl Board,
 ) {
     let mut memory = tilt::memory::<S>();
     let painted = Painted::new(stack);
-    let run = measure::event_driven::<S>(&mut memory, table, READINGS, board);
+    let run = measure::event_driven::<S>(&mut memory, table, READINGS, runs, board);
     match painted.used() {
         Some(bytes) => println!("{name}.stack {bytes}"),
         None => println!("{name}.stack null"),

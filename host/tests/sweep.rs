@@ -148,7 +148,7 @@ fn shards_that_are_missing_twice_there_or_foreign_are_refused() {
 
 /// Runs the program until some runs are done, kills it, and so on until it is through.
 fn kill_until_done(file: &Path, out: &Path) -> usize {
-    let journal = out.with_added_extension("journal");
+    let journal = out.with_extension("parquet.journal");
     let lines = || fs::read(&journal).map_or(0, |t| t.iter().filter(|&&b| b == b'\n').count());
     let mut kills = 0;
     loop {

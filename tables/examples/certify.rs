@@ -145,10 +145,10 @@ fn anywhere(table: &GeneratedTable<f32>, rng: &mut Rng, n: usize, usual: bool) -
     let d = table.certificate.domain;
     let top = if usual { 0.99 } else { (1.0 - d.cos_min * d.cos_min).sqrt() };
     let u = rng.uniform();
-    let sin = if n.is_multiple_of(2) || usual { u * top } else { top * (1.0 - u.powi(6)) };
+    let sin = if n % 2 == 0 || usual { u * top } else { top * (1.0 - u.powi(6)) };
     let cos = ((1.0 - sin) * (1.0 + sin)).sqrt().max(d.cos_min);
     let soft = rng.uniform().powi(if d.softness_max > 1.0 { 3 } else { 1 });
-    let c_dis = if d.c_dis_max > 1.5 && !n.is_multiple_of(3) {
+    let c_dis = if d.c_dis_max > 1.5 && n % 3 != 0 {
         rng.log_uniform(1e-4, d.c_dis_max)
     } else {
         d.c_dis_max * rng.uniform().powi(1 + (n % 2) as i32)

@@ -3,12 +3,16 @@
 use crate::gas::{elastic_spring, gas, length, rubber};
 use carom::HeapMemory;
 use carom::law::{HardSphere, Outside, Rule, Soft};
-use carom::{Release, World};
+use carom::{Release, Scalar, World};
 use proptest::prelude::*;
 
 const HARD: HardSphere<f64> = HardSphere { restitution: 1.0 };
 
 /// Relative drift of energy, and of momentum in units of Σ m |v|, over `events` events in a periodic box.
+///
+/// A third body that comes while a contact cannot be interrupted yet may sink in. Such a pair, which then is put
+/// where its contact ends, loses energy and keeps angular momentum: once in a million collisions here. It is not
+/// what is looked for and is left out, and there may be no more of them than deferred collisions.
 fn drift(rule: impl Rule<f64>, events: u64) -> (f64, f64) {
     let mut storage = HeapMemory::with_capacity(50);
     let mut world = World::builder(&mut storage)
@@ -19,10 +23,17 @@ fn drift(rule: impl Rule<f64>, events: u64) -> (f64, f64) {
         .start()
         .unwrap();
     let start = world.view().kinetic_energy();
+    let (mut last, mut sunk, mut lost) = (start, 0, 0.0);
     while world.statistics().collisions < events {
         world.step().unwrap().expect("a gas in a box never ends");
+        let now = world.view().kinetic_energy();
+        if now < last - 1e-9 * start {
+            (sunk, lost) = (sunk + 1, lost + (last - now));
+        }
+        last = now;
     }
-    let energy = (world.view().kinetic_energy() - start).abs() / start;
+    assert!(sunk <= world.statistics().deferred, "{sunk} losses, {:?}", world.statistics());
+    let energy = (last + lost - start).abs() / start;
     (energy, length(&world.view().momentum()) / (2.0 * start * 50.0).sqrt())
 }
 
@@ -108,6 +119,50 @@ fn independent_release_loses_a_little_as_the_paper_says() {
     let lost =
         (0..20).map(|seed| angular_momentum(Release::Independent, seed).0).fold(0.0, f64::max);
     assert!(lost > 1e-9, "{lost:e}");
+}
+
+/// By how many units in the last place of one grain's share the energy of 50 elastic disks rises a collision.
+fn trend<S: Scalar>(rule: impl Rule<S>, radius: f64, seed: u64) -> f64 {
+    const COLLISIONS: u64 = 100_000;
+    // So dilute that no contact is interrupted: what is tested is rounding.
+    let side = 96.0 * radius;
+    let mut grains = gas::<S, 2>(50, seed, side, [radius, radius]);
+    grains.iter_mut().for_each(|grain| grain.radius = S::from_f64(radius));
+    let mut storage = HeapMemory::with_capacity(50);
+    let mut world = World::builder(&mut storage)
+        .periodic([[S::zero(), S::from_f64(side)]; 2])
+        .rule(rule)
+        .grains(grains)
+        .unwrap()
+        .start()
+        .unwrap();
+    let energy = |world: &World<'_, S, 2, _>| {
+        let squares = (0..50).flat_map(|i| world.view().released(i).unwrap().velocity.data.0[0]);
+        squares.map(|v| v.to_f64() * v.to_f64()).sum::<f64>()
+    };
+    let start = energy(&world);
+    while world.statistics().collisions < COLLISIONS {
+        world.step().unwrap();
+    }
+    let rise = energy(&world) / start - 1.0;
+    rise * 50.0 / COLLISIONS as f64 / S::RESOLUTION.to_f64()
+}
+
+/// Beside a power of two a square root is rounded one way: unit vectors were too long by 0.18 units in the last
+/// place on average, and energy rose by 0.9 to 1.3 of them a collision, for every seed.
+#[test]
+fn energy_has_no_trend_where_the_contact_distance_is_a_power_of_two() {
+    for radius in [0.5, 0.3] {
+        for seed in 0..2 {
+            let hard = trend(HardSphere { restitution: 1.0_f32 }, radius, seed);
+            let soft = Soft::linear_dashpot(elastic_spring::<f32>(), Outside::HardSphere);
+            let soft = trend(soft, radius, seed);
+            let double = trend(HARD, radius, seed);
+            for rise in [hard, soft, double] {
+                assert!(rise.abs() < 0.05, "radius {radius}, seed {seed}: {rise}");
+            }
+        }
+    }
 }
 
 proptest! {

@@ -15,6 +15,8 @@ mod plates;
 mod range;
 mod rest;
 mod robustness;
+mod scales;
+mod serialised;
 mod snapshot;
 mod symmetry;
 mod time;

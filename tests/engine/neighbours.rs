@@ -2,6 +2,7 @@
 
 use super::gas::{damped_spring, elastic_spring, gas, rubber};
 use carom::law::{HardSphere, Outside, Rule, Soft};
+use carom::space::{Plane, Surface, Vibration};
 use carom::{Grain, HeapMemory, Scalar, World};
 
 /// A scene in which neighbours can be found in different ways.
@@ -66,4 +67,45 @@ fn the_same_holds_for_soft_grains_for_gravity_and_for_single_precision() {
     same(&scene::<f64, 2>(40.0, false, 0.1), HardSphere { restitution: 1.0 }, 10_000);
     let soft = Soft::viscoelastic(rubber(), Outside::HardSphere);
     same(&scene::<f32, 3>(14.0, true, 0.0), soft, 10_000);
+}
+
+/// Beads over a vibrating plate, in flight, on each other, and carried.
+fn shaken<const D: usize>(heads: usize, (epsilon, seed): (f64, u64)) -> Vec<u64> {
+    const SIDE: f64 = 16.0e-3;
+    let grains = gas::<f64, D>(10, seed, SIDE, [0.5e-3, 0.6e-3]);
+    let mut memory = HeapMemory::<f64, D>::with_capacity(10).with_cells(heads);
+    let mut sides = [[0.0, SIDE]; D];
+    sides[D - 1] = [-1.0e-3, 3.0 * SIDE];
+    let mut up = [0.0; D];
+    up[D - 1] = 1.0;
+    let plate = Plane::new(up, 0.0, Surface::Hard(epsilon)).vibrating(Vibration::new(0.1e-3, 60.0));
+    let mut world = World::builder(&mut memory)
+        .hard_walls(sides, epsilon)
+        .plane(plate)
+        .gravity(up.map(|n| -9.81 * n))
+        .rule(HardSphere { restitution: epsilon })
+        .grains(grains)
+        .unwrap()
+        .start()
+        .unwrap();
+    let mut digests = Vec::new();
+    while world.statistics().collisions < 400 {
+        let kind = world.step().unwrap().unwrap().kind;
+        if !kind.is_bookkeeping() && world.statistics().collisions >= 10 * digests.len() as u64 {
+            digests.push(world.digest());
+        }
+    }
+    digests
+}
+
+#[test]
+fn the_size_of_cells_changes_no_bit_over_a_vibrating_plate() {
+    for case in [(0.9, 1), (0.5, 2), (0.7, 3)] {
+        let [one, two] = [shaken::<1>, shaken::<2>].map(|shaken| {
+            let all_pairs = shaken(0, case);
+            [3, 10, 40, 160]
+                .map(|heads| shaken(heads, case).iter().zip(&all_pairs).position(|(a, b)| a != b))
+        });
+        assert_eq!((one, two), ([None; 4], [None; 4]), "{case:?}");
+    }
 }

@@ -209,18 +209,18 @@ fn tampered_snapshots_are_refused() {
     }
 }
 
-/// Found by a property test: in such a box the next recheck was after the last instant.
+/// Found by a property test: in such a box the next recheck was after the last instant. No speed that gravity
+/// gives there can be squared.
 #[test]
-fn a_box_too_large_to_cross_is_never_crossed() {
+fn a_box_too_large_to_cross_is_refused() {
     let mut memory = Memory::<f64, 2, 1>::new();
-    let mut world = World::builder(&mut memory)
+    let started = World::builder(&mut memory)
         .gravity([0.0, 0.7])
         .periodic([[-3.0e243, 3.0e243]; 2])
         .rule(HardSphere { restitution: 1.0 })
         .grain(Grain::with_mass(0.5, 1.0))
         .unwrap()
         .start()
-        .unwrap();
-    assert_eq!(world.step().unwrap(), None);
-    assert!(world.grain(0).unwrap().position.iter().all(|x| x.is_finite()));
+        .map(drop);
+    assert!(started.unwrap_err().to_string().contains("gravity"));
 }

@@ -147,7 +147,7 @@ impl Selection {
         world: &World<'_, S, D, R>,
         report: &mut dyn FnMut(EventDigest),
     ) {
-        if number > self.from && number.is_multiple_of(self.every.max(1)) {
+        if number > self.from && number % self.every.max(1) == 0 {
             report(EventDigest { event: number, digest: world.digest() });
         }
     }

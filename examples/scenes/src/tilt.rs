@@ -76,11 +76,29 @@ pub fn tilt_box<'m, S: Number>(
     memory: &'m mut impl Storage<S, 2>,
     table: &'static Table<S::Stored>,
 ) -> Result<World<'m, S, 2, Rubber<S>>, Error> {
+    tilt_box_begun(memory, table, S::one())
+}
+
+/// The tilt box whose grains begin so many times as fast: another trajectory of the same box.
+///
+/// # Errors
+/// As [`tilt_box`].
+#[inline(never)]
+pub fn tilt_box_begun<'m, S: Number>(
+    memory: &'m mut impl Storage<S, 2>,
+    table: &'static Table<S::Stored>,
+    faster: S,
+) -> Result<World<'m, S, 2, Rubber<S>>, Error> {
+    let begun = |k| {
+        let mut grain = site::<S>(k);
+        grain.velocity *= faster;
+        grain
+    };
     World::builder(memory)
         .walls([[S::zero(), S::from_count(SIDE)]; 2])
         .gravity(accelerometer(0))
         .rule(glass(table))
-        .grains((0..GRAINS as u32).map(site))?
+        .grains((0..GRAINS as u32).map(begun))?
         .start()
 }
 

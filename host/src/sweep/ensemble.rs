@@ -23,6 +23,13 @@ pub struct Report {
     pub failed: usize,
 }
 
+/// The journal beside a shard's file.
+fn journal_of(file: &Path) -> PathBuf {
+    let mut path = file.to_owned().into_os_string();
+    path.push(".journal");
+    path.into()
+}
+
 /// Does those runs of a shard that are not done yet, on as many threads as rayon has, and writes its file.
 ///
 /// # Errors
@@ -40,7 +47,7 @@ pub fn sweep(plan: &Plan, shard: [usize; 2], out: &Path) -> Result<Report> {
         std::fs::create_dir_all(folder)
             .with_context(|| format!("cannot make {}", folder.display()))?;
     }
-    let path = file.with_added_extension("journal");
+    let path = journal_of(&file);
     let (journal, mut done) = Journal::open(&path, &plan.source, shard)?;
     let fresh = finish(plan, &mine, &done, Mutex::new(journal))?;
     let (journal, fresh) = fresh;

@@ -25,7 +25,7 @@ impl Column {
                 .map(|m| libm::cos(core::f64::consts::PI * m as f64 / (2 * n[axis]) as f64))
                 .collect();
             for start in 0..values.len() {
-                if (start / strides[axis]).is_multiple_of(n[axis]) {
+                if start / strides[axis] % n[axis] == 0 {
                     line(&mut values, start, strides[axis], n[axis], &cosines);
                 }
             }

@@ -49,7 +49,7 @@ pub(crate) fn test_point(n: usize, rng: &mut Rng) -> [f64; 3] {
     if n % 3 == 1 {
         // A face; the outermost ones lie outside the domain, so come from any distance.
         let near = libm::pow(10.0, -1.0 - 5.0 * rng.uniform());
-        y[(n / 3) % 3] = if n.is_multiple_of(2) { 1.0 - near } else { near };
+        y[(n / 3) % 3] = if n % 2 == 0 { 1.0 - near } else { near };
     }
     y
 }

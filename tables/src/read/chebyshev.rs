@@ -68,13 +68,15 @@ fn expansion<S: Real, C: StoredNumber>(
         let (line, others) = rest.split_at_checked(usize::from(row.terms))?;
         rest = others;
         let mut value = zero;
-        let (pairs, last) = line.as_chunks::<2>();
-        let mut basis = third.as_chunks::<2>().0.iter();
-        for (&[a, b], &[s, t]) in pairs.iter().zip(&mut basis) {
-            value = value + (a.get::<S>() * s + b.get::<S>() * t);
+        let (pairs, mut basis) = (line.chunks_exact(2), third.chunks_exact(2));
+        let last = pairs.remainder();
+        for pair in pairs.zip(&mut basis) {
+            if let ([a, b], &[s, t]) = pair {
+                value = value + (a.get::<S>() * s + b.get::<S>() * t);
+            }
         }
-        if let ([a], Some([t, _])) = (last, basis.next()) {
-            value = value + a.get::<S>() * *t;
+        if let ([a], Some(&[t, _])) = (last, basis.next()) {
+            value = value + a.get::<S>() * t;
         }
         let (i, j) = (usize::from(row.orders >> 4), usize::from(row.orders & 15));
         sum = sum + value * (first[i] * second[j]);

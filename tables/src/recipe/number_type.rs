@@ -51,7 +51,7 @@ impl EncodeNumber for f32 {
         f64::from(self)
     }
     fn next_above(self) -> Self {
-        self.next_up()
+        libm::nextafterf(self, f32::INFINITY)
     }
     fn le_bytes(self) -> Vec<u8> {
         self.to_bits().to_le_bytes().to_vec()
@@ -69,7 +69,7 @@ impl EncodeNumber for f64 {
         self
     }
     fn next_above(self) -> Self {
-        self.next_up()
+        libm::nextafter(self, f64::INFINITY)
     }
     fn le_bytes(self) -> Vec<u8> {
         self.to_bits().to_le_bytes().to_vec()

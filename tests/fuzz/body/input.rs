@@ -65,7 +65,7 @@ impl<'a> Input<'a> {
 
     /// Mostly in eighths, so that things happen at once; sometimes off by a last place; now and then extreme.
     pub fn number<S: Scalar>(&mut self) -> S {
-        let eighths = |byte: u8| f64::from(byte.cast_signed()) / 8.0;
+        let eighths = |byte: u8| f64::from(byte as i8) / 8.0;
         let number = match self.byte() {
             0..=159 => eighths(self.byte()),
             160..=199 => f64::from(i16::from_le_bytes([self.byte(), self.byte()])) / 256.0,

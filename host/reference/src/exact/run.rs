@@ -277,10 +277,9 @@ impl<const D: usize> Exact<D> {
 
     /// Position and velocity at a time for which the motion is known.
     pub(super) fn state(&self, i: usize, time: f64) -> (Vector<D>, Vector<D>) {
-        if let Some(k) = self.owner[i]
-            && let Some(local) = self.clusters[k].local(i)
-        {
-            return self.clusters[k].state(local, time);
+        let cluster = self.owner[i].map(|k| &self.clusters[k]);
+        if let Some((cluster, local)) = cluster.and_then(|c| Some((c, c.local(i)?))) {
+            return cluster.state(local, time);
         }
         let (grain, dt) = (&self.grains[i], time - self.since[i]);
         let fallen = plus(&grain.position, 0.5 * dt * dt, &self.gravity);

@@ -78,10 +78,9 @@ impl<const D: usize> Exact<D> {
     }
 
     fn speed_bound(&self, i: usize, until: f64) -> f64 {
-        if let Some(k) = self.owner[i]
-            && let Some(local) = self.clusters[k].local(i)
-        {
-            return self.clusters[k].speed_bound(local);
+        let cluster = self.owner[i].map(|k| &self.clusters[k]);
+        if let Some((cluster, local)) = cluster.and_then(|c| Some((c, c.local(i)?))) {
+            return cluster.speed_bound(local);
         }
         let [a, b] = [self.now, until].map(|t| length(&self.state(i, t).1));
         a.max(b)

@@ -16,8 +16,8 @@ fn law() -> ForceLaw {
 fn discs(seed: u64) -> Vec<Grain<2>> {
     let mut random = Random(seed);
     let mut disc = |k: usize| Grain {
-        radius: if k.is_multiple_of(2) { 0.1 } else { 0.15 },
-        mass: if k.is_multiple_of(2) { 1.0 } else { 3.0 },
+        radius: if k % 2 == 0 { 0.1 } else { 0.15 },
+        mass: if k % 2 == 0 { 1.0 } else { 3.0 },
         position: [0.25 + 0.5 * (k % 4) as f64, 0.33 + 0.66 * (k / 4) as f64],
         velocity: [random.normal(), random.normal()],
     };

@@ -57,8 +57,8 @@ fn damped_pairs_converge() {
 fn heap() -> System<2> {
     let mut random = Random(11);
     let mut disc = |k: usize| Grain {
-        radius: if k.is_multiple_of(3) { 0.1 } else { 0.12 },
-        mass: if k.is_multiple_of(3) { 1.0 } else { 1.5 },
+        radius: if k % 3 == 0 { 0.1 } else { 0.12 },
+        mass: if k % 3 == 0 { 1.0 } else { 1.5 },
         position: [
             0.2 + 0.28 * (k % 3) as f64 + 0.02 * random.uniform(),
             0.2 + 0.3 * (k / 3) as f64,

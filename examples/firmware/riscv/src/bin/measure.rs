@@ -9,6 +9,6 @@ use semihosting::process;
 
 #[entry]
 fn main() -> ! {
-    app::measure_all::<Number>(&[("compact", Number::compact())], STACK, &mut Chip::start());
+    app::measure_all::<Number>(&[("compact", Number::compact())], 1, STACK, &mut Chip::start());
     process::exit(0)
 }
