@@ -9,7 +9,7 @@ mod sleep;
 mod step;
 mod watch;
 
-pub(crate) use crowd::is_crowded;
+pub(crate) use crowd::{Course, Party, is_crowded};
 pub(crate) use forces::MAX_COLLISIONS;
 pub(crate) use members::{Clusters, join, wake};
 pub use settings::Enduring;

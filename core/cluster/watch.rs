@@ -9,7 +9,7 @@ use super::settings::Settings;
 use crate::detect::{EventKind, ScheduledEvent, closing_speed, pair_collision, plane_collision};
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, WideProduct, dot, norm};
-use crate::space::{Domain, Particles, Plane, Surface};
+use crate::space::{Domain, Particles, Plane, Surface, flight};
 
 /// The earliest collision of a clustered grain up to the end of its step.
 pub(crate) fn next_event<S: Scalar, const D: usize>(
@@ -64,6 +64,9 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
     fn pair(&mut self, k: usize, may_collide: bool) {
         let Some(other) = self.particles.body(k).filter(|_| k != self.grain) else { return };
         let is_free = !other.is_clustered() && !other.is_asleep();
+        if is_free && !self.may_reach(other) {
+            return;
+        }
         let tired = self.me.consecutive_collisions >= MAX_COLLISIONS
             || other.is_clustered() && other.consecutive_collisions >= MAX_COLLISIONS;
         if !is_free && (!may_collide || tired || !self.may_meet(other)) {
@@ -80,6 +83,18 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
         if is_free || speed > slow {
             self.keep(time, with, other.event_count, speed);
         }
+    }
+
+    /// Whether a free grain may be touched before the step ends: a bound without roots. Both fly freely until then.
+    fn may_reach(&self, other: &Body<S, D>) -> bool {
+        let [(x, v), (y, w)] =
+            [self.me, other].map(|body| flight::free(body, self.domain, self.now));
+        let (apart, velocity) = (self.domain.boundary.nearest(x - y), v - w);
+        // Rounding is the root's affair. Negated so that what does not fit is asked there, too.
+        let slack = S::one() + S::from_f32(1.0 / 64.0);
+        let way = norm(&velocity) * (self.limit - self.now);
+        let reach = (self.me.radius + other.radius + way) * slack;
+        !(S::dot(&apart, &apart) > reach.times(reach))
     }
 
     /// Whether two clustered grains may touch fast before the step ends: a bound without roots.

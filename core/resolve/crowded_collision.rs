@@ -8,7 +8,7 @@ use super::context::Context;
 use super::effects::{EventOutcome, Incident};
 use super::impact_frame::ImpactFrame;
 use super::{broken_contact, contact_begin, plane_collision};
-use crate::cluster::{MAX_COLLISIONS, is_crowded};
+use crate::cluster::{Course, MAX_COLLISIONS, Party, is_crowded};
 use crate::error::Error;
 use crate::law::{Outcome, Response, Rule};
 use crate::particle::{Body, Partner};
@@ -17,6 +17,10 @@ use crate::space::{Plane, Surface};
 
 /// After so many collisions each soon after the last, forces decide.
 const MAX_SOON: u16 = 64;
+
+/// The same without gravity where they are slow. Such a collision alone keeps nobody together: a gas has
+/// them, too.
+const MAX_SLOW_SOON: u16 = 8;
 
 /// Grain `i` touches its partner.
 pub(super) fn touch<S: Scalar, const D: usize>(
@@ -91,11 +95,11 @@ fn touch_grain<S: Scalar, const D: usize>(
     let response = ask(rule, &impact, context.effects, (i, Partner::grain(k)))?;
     match response {
         Response::Lasting(outcome) => {
-            if disturbed(context, who, &pair, &outcome)
-                || !contact_begin::begin(context, who, &pair, (&frame, &outcome))
-            {
+            if disturbed(context, who, &pair, &outcome) {
                 return crowd(context);
             }
+            // Nothing is where it turns to.
+            contact_begin::bind(context, who, &pair, (&frame, &outcome));
             begins_now(context, who);
             context.count(Incident::Collision);
             Ok(EventOutcome::ContactBegan(outcome))
@@ -107,7 +111,7 @@ fn touch_grain<S: Scalar, const D: usize>(
             let mass = a.mass + b.mass;
             let least = min_parting_speed(&a.velocity) + min_parting_speed(&b.velocity);
             let away = (restitution * -frame.radial).max(least) - frame.radial;
-            let change = frame.e_r * away;
+            let change = frame.along(away);
             kick(context, (i, a, radius), change * (b.mass / mass));
             kick(context, (k, b, radius), -change * (a.mass / mass));
             Ok(EventOutcome::Collision { restitution })
@@ -122,7 +126,7 @@ fn is_settled<S: Scalar, const D: usize>(body: &Body<S, D>) -> bool {
 }
 
 /// Whether a collision without duration belongs to a contact that lasts: it is slow, and so soon after the
-/// last one of either that gravity, not the collisions, decides; or there have been too many in a row.
+/// last one of either that gravity, not the collisions, decides; or there have been many in a row.
 fn is_held<'a, S: Scalar, const D: usize>(
     context: &Context<'_, '_, S, D>,
     bodies: impl IntoIterator<Item = &'a Body<S, D>>,
@@ -131,8 +135,12 @@ fn is_held<'a, S: Scalar, const D: usize>(
     let settings = &context.parameters.settings;
     let is_slow = speed <= settings.slow_speed(radius);
     bodies.into_iter().any(|body| {
-        let is_tired = !is_settled(body) && body.consecutive_collisions >= MAX_SOON;
-        is_tired || is_slow && (is_settled(body) || is_soon(context, body, radius, S::one()))
+        let count = if is_settled(body) { 0 } else { body.consecutive_collisions };
+        let is_soon = || match context.domain.is_weightless() {
+            true => count >= MAX_SLOW_SOON,
+            false => is_soon(context, body, radius, S::one()),
+        };
+        count >= MAX_SOON || is_slow && (is_settled(body) || is_soon())
     })
 }
 
@@ -158,12 +166,12 @@ fn disturbed<S: Scalar, const D: usize>(
     let (mass, relative) = (a.mass + b.mass, a.velocity - b.velocity);
     let centre = b.velocity + relative * (a.mass / mass);
     let speed = norm(&relative);
-    let crowded = |who, share: S| {
-        let bounds = (centre, speed * share, outcome.duration);
-        is_crowded(context.particles, context.domain, context.now(), who, bounds)
-    };
-    crowded((i, a, Partner::grain(k)), b.mass / mass)
-        || crowded((k, b, Partner::grain(i)), a.mass / mass)
+    let parties = [
+        Party { grain: i, body: a, speed: speed * (b.mass / mass) },
+        Party { grain: k, body: b, speed: speed * (a.mass / mass) },
+    ];
+    let course = Course { with: Partner::NOTHING, velocity: centre, duration: outcome.duration };
+    is_crowded(context.particles, context.domain, context.now(), &parties, &course)
 }
 
 /// Keeps when a contact began, so that the touch can be recovered.
@@ -261,12 +269,7 @@ fn is_disturbed_at<S: Scalar, const D: usize>(
 ) -> bool {
     let along = dot(&plane.normal, &body.velocity);
     let velocity = body.velocity - plane.normal * along;
-    let bounds = (velocity, speed, outcome.duration);
-    is_crowded(
-        context.particles,
-        context.domain,
-        context.now(),
-        (i, body, Partner::plane(p)),
-        bounds,
-    )
+    let course = Course { with: Partner::plane(p), velocity, duration: outcome.duration };
+    let party = Party { grain: i, body, speed };
+    is_crowded(context.particles, context.domain, context.now(), &[party], &course)
 }

@@ -1,5 +1,6 @@
 //! Does a heap hold where sleepers, heavy grains and sliding ones meet? Reads worlds; compares with energy, statics and what must wake.
 
+use crate::gas::gas;
 use carom::detect::EventKind;
 use carom::law::{HardSphere, LinearDashpot, Outside, Rule, Soft};
 use carom::{Enduring, Grain, HeapMemory, Memory, Storage, World};
@@ -193,5 +194,61 @@ fn a_heap_wakes_when_it_is_hit_and_sleeps_again() {
     while world.next_event_time().is_some() {
         world.step().unwrap();
         assert!(world.now().as_f64() < 800.0);
+    }
+}
+
+/// A gas of hard spheres, and what became of it.
+fn gas_after(enduring: Enduring) -> (Vec<[f64; 3]>, u64, u64) {
+    let mut memory = HeapMemory::<f64, 3>::with_capacity(64);
+    let mut world = World::builder(&mut memory)
+        .enduring(enduring)
+        .periodic([[0.0, 1.0]; 3])
+        .rule(HardSphere { restitution: 1.0 })
+        .grains(gas(64, 5, 1.0, [0.1, 0.1]))
+        .unwrap()
+        .start()
+        .unwrap();
+    while world.statistics().collisions < 5_000 {
+        world.step().unwrap().unwrap();
+    }
+    let places = (0..64).map(|i| world.grain(i).unwrap().position.into()).collect();
+    (places, world.statistics().joins, world.statistics().steps)
+}
+
+#[test]
+fn a_gas_without_gravity_makes_no_clusters() {
+    let (places, joins, steps) = gas_after(Enduring::Integrated);
+    let (paper, ..) = gas_after(Enduring::Paper);
+    assert_eq!([joins, steps], [0, 0]);
+    // Slow and glancing collisions included: to the last bit.
+    assert_eq!(places, paper);
+}
+
+#[test]
+fn grains_that_stick_take_work_in_proportion_to_their_number() {
+    let events = |count: u32| {
+        let mut memory = HeapMemory::<f64, 1>::with_capacity(count as usize);
+        let mut random = numbers(7);
+        let grains = (0..count).map(|i| {
+            let at = 3.0 * f64::from(i) + 0.9 * random();
+            Grain::with_mass(1.0, 1.0).at([at]).moving([random() - 0.03 * f64::from(i)])
+        });
+        let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Integrated)
+            .rule(HardSphere { restitution: 0.0 })
+            .grains(grains)
+            .unwrap()
+            .start()
+            .unwrap();
+        world.advance_to(200.0).unwrap();
+        let speed = |i: u32| world.grain(i as usize).unwrap().velocity[0];
+        let spread = (1..count).map(|i| (speed(i) - speed(i - 1)).abs()).fold(0.0, f64::max);
+        (world.statistics().collisions, spread)
+    };
+    for count in [15, 60] {
+        let (collisions, spread) = events(count);
+        assert!(collisions < 64 * u64::from(count), "{collisions}");
+        // The stand-in gives back something of what is slow: below a sixteenth of the fastest at the start.
+        assert!(spread < 1.0 / 16.0, "{spread}");
     }
 }
