@@ -1,5 +1,6 @@
 //! Could a third body disturb a contact of two? Reads who is near; writes nothing.
 
+use super::settings::crowd_gap;
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
 use crate::space::{Domain, Particles, flight};
@@ -24,7 +25,8 @@ pub(crate) struct Course<S: Scalar, const D: usize> {
     pub duration: S,
 }
 
-/// Whether something else could touch those that take part in a contact before it ends: a bound on the paths of all.
+/// Whether something else could touch those that take part in a contact before it ends: a bound on the paths of
+/// all that are near. What comes from further off breaks the contact off when it touches.
 pub(crate) fn is_crowded<S: Scalar, const D: usize>(
     particles: &Particles<'_, S, D>,
     domain: &Domain<'_, S, D>,
@@ -84,6 +86,7 @@ impl<S: Scalar, const D: usize> Crowd<'_, S, D> {
         let distance = norm(&apart);
         let gap = distance - party.body.radius - other.radius;
         let nears = S::dot(&apart, &(velocity - self.course.velocity)).divided_by(distance);
-        gap < (party.speed + nears.max(S::zero()) + sinks) * self.course.duration
+        let room = (party.speed + nears.max(S::zero()) + sinks) * self.course.duration;
+        gap < room.min(crowd_gap(self.particles.largest_radius))
     }
 }

@@ -106,7 +106,7 @@ pub(crate) fn join<S: Scalar, const D: usize>(
         consecutive_collisions: 0,
         ..there.awake()
     };
-    particles.replace(&domain.boundary, i, body);
+    particles.put(i, body);
     if clusters.count == 0 {
         (clusters.time, clusters.step) = (now, S::zero());
     }

@@ -49,6 +49,8 @@ pub(crate) struct Settings<S> {
     pub has_instantaneous: bool,
     /// Whether the rule has no force law for some pair of materials.
     pub is_rule_instantaneous: bool,
+    /// Whether it has one for some.
+    pub has_forces: bool,
 }
 
 impl<S: Scalar> Settings<S> {
@@ -62,6 +64,7 @@ impl<S: Scalar> Settings<S> {
             smallest: [S::one(), S::one()],
             has_instantaneous: true,
             is_rule_instantaneous: true,
+            has_forces: false,
         }
     }
 
@@ -90,18 +93,20 @@ impl<S: Scalar> Settings<S> {
             fastest = plane.vibration.map_or(fastest, |v| fastest.max(v.peak_speed()));
         }
         let is_hard = |plane: &Plane<S, D>| matches!(plane.surface, Surface::Hard(_));
-        self.is_rule_instantaneous = self.has_pair_without_force(rule, bodies);
+        self.is_rule_instantaneous = self.has_pair(rule, bodies, false);
+        self.has_forces = self.has_pair(rule, bodies, true);
         self.has_instantaneous =
             self.is_rule_instantaneous || boundary.planes().iter().any(is_hard);
         self.take_gravity(gravity, fastest);
         self
     }
 
-    /// Whether two of these grains may have no force law. Of more than 16 materials some may.
-    fn has_pair_without_force<const D: usize, R: Rule<S>>(
+    /// Whether two of these grains may have a force law, or none. Of more than 16 materials some may.
+    fn has_pair<const D: usize, R: Rule<S>>(
         &self,
         rule: &R,
         bodies: &[Body<S, D>],
+        with_force: bool,
     ) -> bool {
         let mut materials = heapless::Vec::<u8, 16>::new();
         for body in bodies {
@@ -111,7 +116,16 @@ impl<S: Scalar> Settings<S> {
         }
         let pairs = materials.iter().flat_map(|&a| materials.iter().map(move |&b| [a, b]));
         let mut impacts = pairs.map(|materials| Impact { materials, ..self.small_pair(S::one()) });
-        impacts.any(|impact| rule.force(&impact, S::zero()).is_none())
+        impacts.any(|impact| rule.force(&impact, S::zero()).is_some() == with_force)
+    }
+
+    /// How far grains must be seen whose largest radius is this: no cell is narrower.
+    pub fn sight(&self, largest_radius: S) -> S {
+        let touching = largest_radius + largest_radius;
+        match self.is_integrated() && self.has_forces {
+            true => touching + crowd_gap(largest_radius),
+            false => touching,
+        }
     }
 
     /// Takes over gravity; without it, if there never was one, a speed from which slow is a sixteenth.
@@ -186,4 +200,9 @@ impl<S: Scalar> Settings<S> {
         };
         step.max(S::RESOLUTION * S::from_f32(4.0))
     }
+}
+
+/// Who is further off than this is no crowd, however fast it comes: it is not known in every grid.
+pub(super) fn crowd_gap<S: Scalar>(largest_radius: S) -> S {
+    largest_radius * S::half()
 }

@@ -95,7 +95,8 @@ fn to_the_middle<S: Scalar, const D: usize>(
         *place = before;
     }
     let there = Body {
-        position: body.position + body.velocity * half,
+        // On the lattice: it must not matter in which image a grain is kept.
+        position: body.position + domain.boundary.on_lattice(body.velocity * half),
         velocity: body.velocity + before * half,
         velocity_change: Vector::zeros(),
         ..body
@@ -120,7 +121,7 @@ fn to_the_end<S: Scalar, const D: usize>(
     let slow = settings.sleep_speed(body.radius).max(rounded_speed(&body, step));
     let is_slow = speed <= slow;
     let there = Body {
-        position: body.position + velocity * half,
+        position: body.position + domain.boundary.on_lattice(velocity * half),
         velocity,
         velocity_change: now,
         clock: to,

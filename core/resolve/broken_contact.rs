@@ -91,10 +91,11 @@ fn with_grain<S: Scalar, const D: usize>(
         relative = integrate(rule, &impact(speed), touching, (to - touch, step));
     }
     let mass = a.mass + b.mass;
-    let [centre, velocity] = [a.position - apart * (b.mass / mass), a.velocity];
+    let velocity = a.velocity;
     for (x, body, share) in [(i, &a, b.mass / mass), (k, &b, -(a.mass / mass))] {
+        let step = context.domain.boundary.on_lattice((relative[0] - apart) * share);
         let free = Body {
-            position: centre + relative[0] * share,
+            position: body.position + step,
             velocity: velocity + relative[1] * share,
             partner: Partner::NOTHING,
             ..*body

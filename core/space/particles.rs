@@ -56,8 +56,13 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
 
     /// Writes a body whose velocity changed: events predicted for it are void.
     pub fn replace(&mut self, boundary: &Boundary<'_, S, D>, grain: usize, mut body: Body<S, D>) {
-        body.event_count = body.event_count.wrapping_add(1);
         body.position = boundary.on_lattice(body.position);
+        self.put(grain, body);
+    }
+
+    /// The same where its position stays as it was: at its own clock it may be many boxes away.
+    pub fn put(&mut self, grain: usize, mut body: Body<S, D>) {
+        body.event_count = body.event_count.wrapping_add(1);
         if let Some(place) = self.bodies.get_mut(grain) {
             self.supported -= usize::from(place.is_supported());
             self.supported += usize::from(body.is_supported());

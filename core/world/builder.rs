@@ -271,10 +271,10 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         }
         check_scales::scales(&boundary, &self.gravity, bodies)?;
         events.fill(ScheduledEvent::NONE);
-        let reach = largest_radius + largest_radius;
-        let grid = Grid::choose(&boundary, bodies, reach, heads.len());
-        let min_hop_time = min_hop_time(&self.gravity, largest_radius);
         let settings = self.settings.adopted(&self.rule, &boundary, &self.gravity, bodies);
+        let sight = settings.sight(largest_radius);
+        let grid = Grid::choose(&boundary, bodies, sight, heads.len());
+        let min_hop_time = min_hop_time(&self.gravity, largest_radius);
         Ok(World {
             particles: Particles::new(bodies, accelerations, Cells::new(grid, heads, links)),
             domain: Domain::new(boundary, self.gravity),

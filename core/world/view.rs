@@ -64,7 +64,7 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
             let span = self.clock.now - body.clock;
             let beyond = (body.velocity_change - self.domain.gravity()) * span;
             now.velocity += beyond;
-            now.position += beyond * (span * S::half());
+            now.position += self.domain.boundary.on_lattice(beyond * (span * S::half()));
         }
         let Body { velocity, radius, mass, material, .. } = now;
         Some(Grain {
