@@ -77,8 +77,8 @@ pub enum Error {
         /// What would be right.
         wanted: &'static str,
     },
-    /// Too many events at one instant: a collapse the rule does not resolve. With `Enduring::Integrated`
-    /// there is none: forces take over.
+    /// Too many events at one instant: a collapse the rule does not resolve. Only `Enduring::Paper` can return
+    /// it: by default forces take over after 64 collisions in a row.
     Stuck {
         /// The grain of the last event.
         grain: usize,

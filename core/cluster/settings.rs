@@ -11,8 +11,7 @@ use crate::space::{Boundary, Plane, Surface};
 #[non_exhaustive]
 pub enum Enduring {
     /// As in the papers: a contact is an event (L94, BSFP14) or a pair's own affair (MP13), whatever else
-    /// touches the two; grains come to rest by rules of their own.
-    #[default]
+    /// touches the two; grains come to rest by rules of their own. Figures of the papers need it.
     Paper,
     /// Contacts of more than two, and those in which gravity decides, are integrated under the same force
     /// law; what has come to rest sleeps.
@@ -29,6 +28,7 @@ pub enum Enduring {
     ///   t, with 64 more once. (Boxes that were drawn at random have less than a tenth of that.)
     /// * Of contacts with duration a pair has one in its duration.
     /// * Crossings into other cells are as many as speeds over the width of a cell say.
+    #[default]
     Integrated,
 }
 

@@ -135,7 +135,7 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
         self
     }
 
-    /// How a contact ends when a third body interrupts it.
+    /// How a contact ends when a third body interrupts it. [`Enduring::Paper`] only: else it goes on by forces.
     #[must_use]
     pub fn release(mut self, release: Release) -> Self {
         self.release = release;
@@ -146,7 +146,8 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     /// than `t_c` after the last one of either grain is elastic. Zero, the default, is no such rule.
     ///
     /// A real contact lasts t_c; grains that meet more often than that are in lasting contact, and
-    /// lose no more energy by it. It also says when a hop is too short to be one: a grain that would
+    /// lose no more energy by it. [`Enduring::Paper`] only: else forces take over, see
+    /// [`WorldBuilder::contact_time`]. It also says when a hop is too short to be one: a grain that would
     /// be back within t_c lies still. Soft laws have their own contact duration and do not need it.
     ///
     /// # Units

@@ -8,7 +8,8 @@ use carom::law::embedded::{
     standard,
 };
 use carom::law::{
-    Answer, Central, ContactForce, HardSphere, Impact, LinearDashpot, Outside, Response, Rule, Soft, Viscoelastic,
+    Answer, Central, ContactForce, HardSphere, Impact, LinearDashpot, Outside, Response, Rule,
+    Soft, Viscoelastic,
 };
 use core::sync::atomic::{AtomicU64, Ordering};
 
