@@ -78,7 +78,7 @@ pub enum Error {
         wanted: &'static str,
     },
     /// Too many events at one instant, 4,096 or more for each grain that has contacts there: a collapse the rule does
-    /// not resolve.
+    /// not resolve. Only `Enduring::Paper` can return it: by default forces take over after 64 collisions in a row.
     Stuck {
         /// The grain of the last event.
         grain: usize,

@@ -16,6 +16,7 @@
 //! * [`law`]: what a contact does.
 //! * `detect`: when something happens; it only reads.
 //! * `schedule`: who is next.
+//! * `cluster`: what many bodies do that touch at once.
 //! * `resolve`: what happens then; it writes.
 //! * [`world`]: the user's handle.
 //! * [`error`]: every way it can say no.
@@ -65,6 +66,7 @@ extern crate alloc;
 #[cfg(test)]
 extern crate std;
 
+mod cluster;
 pub mod detect;
 pub mod error;
 pub mod law;
@@ -75,6 +77,7 @@ mod schedule;
 pub mod space;
 pub mod world;
 
+pub use cluster::Enduring;
 pub use error::Error;
 /// The crate of [`scalar::Vector`]: positions and velocities are `nalgebra::SVector<S, D>`. For `f32` and `f64` they
 /// have all its methods (`norm`, `dot`, `normalize`, ...); for every scalar there are [`scalar::norm`] and

@@ -5,7 +5,7 @@ use super::plate_acceleration::{peak_acceleration, peak_acceleration_along};
 use super::root;
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
-use crate::space::{Domain, Plane, flight};
+use crate::space::{Domain, Particles, Plane, flight};
 
 /// At what time two bodies touch that nothing supports: BSFP14's rule. Uniform gravity leaves their
 /// relative motion straight.
@@ -148,5 +148,40 @@ fn bracketed_from<S: Scalar, const D: usize>(
         Found::Event(span) => Found::Event(from + span),
         Found::NotBefore(span) => Found::NotBefore(from + span),
         Found::Nothing => Found::Nothing,
+    }
+}
+
+/// At what time two bodies touch that fly freely, or of which the second is asleep; none if they do not.
+pub(crate) fn pair_collision<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    now: S,
+    [i, k]: [usize; 2],
+) -> Option<S> {
+    let (me, other) = (particles.body(i)?, particles.body(k)?);
+    let here = flight::at(me, domain, now);
+    if other.is_asleep() {
+        let there = flight::at(other, domain, now);
+        let (apart, nears) = (domain.separation(&here, &there), here.velocity - there.velocity);
+        return Some(now + root::spheres(&apart, &nears, me.radius + other.radius)?);
+    }
+    let image = match domain.boundary.is_open() {
+        true => Vector::zeros(),
+        false => nearest_image(domain, now, &here.position, other),
+    };
+    free_pair(domain, [me, other], &image)
+}
+
+/// At what time, not after the limit, a body that flies freely touches a plane; none if it does not.
+pub(crate) fn plane_collision<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    now: S,
+    me: &Body<S, D>,
+    (plane, limit): (&Plane<S, D>, S),
+) -> Option<S> {
+    let here = flight::at(me, domain, now);
+    match body_and_plane(domain, now, &here, (plane, limit - now)) {
+        Found::Event(span) => Some(now + span),
+        Found::NotBefore(_) | Found::Nothing => None,
     }
 }

@@ -13,5 +13,6 @@ mod scheduled_event;
 mod take_off;
 
 pub(crate) use approach::closing_speed;
+pub(crate) use collision_time::{pair_collision, plane_collision};
 pub(crate) use predictor::{next_event, next_event_after_crossing};
 pub use scheduled_event::{EventKind, ScheduledEvent};

@@ -25,6 +25,8 @@ pub enum EventKind {
     BoundarySentinel,
     /// Its prediction reaches no further: it is made anew.
     Recheck,
+    /// Clustered grains move a step on, this one the first of them.
+    Step,
     /// Nothing will happen to it.
     Nothing,
 }

@@ -1,6 +1,6 @@
 //! Which rule holds between two materials? Reads the materials of an impact; asks the pair's rule.
 
-use super::rule::{Answer, Impact, Response, Rule};
+use super::rule::{Answer, ContactForce, Impact, Response, Rule};
 use crate::error::{Error, Subject};
 use crate::scalar::Scalar;
 
@@ -72,5 +72,15 @@ impl<S: Scalar, R: Rule<S>, const M: usize> Rule<S> for ByMaterial<R, M> {
             return Err(Error::input(Subject::Rule, "materials", 0.0, "at least 1"));
         }
         self.0.iter().flatten().try_for_each(Rule::check)
+    }
+
+    fn force(&self, impact: &Impact<S>, overlap: S) -> Option<ContactForce<S>> {
+        self.rule(impact.materials)?.force(impact, overlap)
+    }
+
+    /// The shortest of all pairs of materials.
+    fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
+        let times = self.0.iter().flatten().filter_map(|rule| rule.contact_time(impact, overlap));
+        times.reduce(S::min)
     }
 }

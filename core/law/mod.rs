@@ -9,6 +9,6 @@ mod soft;
 
 pub use hard::{Central, HardSphere};
 pub use material::ByMaterial;
-pub use rule::{Answer, Impact, Outcome, Response, Rule, Validity};
+pub use rule::{Answer, ContactForce, Impact, Outcome, Response, Rule, Validity};
 pub use scales::{ForceLaw, LinearDashpot, Scales, Viscoelastic};
 pub use soft::{Outside, Soft};

@@ -92,6 +92,25 @@ impl<S> Answer<S> {
     }
 }
 
+/// The normal force of two bodies that overlap by x: F_n = `elastic` + `damping` ẋ, and never an attraction.
+///
+/// # Units
+/// Force; force over speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactForce<S> {
+    /// What the overlap alone gives.
+    pub elastic: S,
+    /// What the rate at which it grows adds.
+    pub damping: S,
+}
+
+impl<S: Scalar> ContactForce<S> {
+    /// F_n at this rate of the overlap; at least 0 (MP13: no attraction).
+    pub fn at_rate(&self, rate: S) -> S {
+        (self.elastic + self.damping * rate).max(S::zero())
+    }
+}
+
 /// A collision rule: what two bodies do when they touch.
 ///
 /// Implement it to bring your own; the host brings one that integrates the contact directly.
@@ -111,6 +130,23 @@ pub trait Rule<S: Scalar> {
     fn check(&self) -> Result<(), Error> {
         Ok(())
     }
+
+    /// The force between two bodies that overlap by this much, where more than two touch or a contact
+    /// lasts. None, the default, stands for a rule without force law: there a linear spring-dashpot
+    /// with the rule's own coefficient of restitution stands in for it.
+    ///
+    /// # Units
+    /// `overlap` is a length.
+    fn force(&self, _impact: &Impact<S>, _overlap: S) -> Option<ContactForce<S>> {
+        None
+    }
+
+    /// How long a contact of two bodies without damping lasts, at the speed of this impact or already
+    /// pressed together by this much, whichever makes it shorter: sets the length of a step. None for a
+    /// rule without force law.
+    fn contact_time(&self, _impact: &Impact<S>, _overlap: S) -> Option<S> {
+        None
+    }
 }
 
 impl<S: Scalar, R: Rule<S> + ?Sized> Rule<S> for &R {
@@ -122,5 +158,11 @@ impl<S: Scalar, R: Rule<S> + ?Sized> Rule<S> for &R {
     }
     fn check(&self) -> Result<(), Error> {
         (**self).check()
+    }
+    fn force(&self, impact: &Impact<S>, overlap: S) -> Option<ContactForce<S>> {
+        (**self).force(impact, overlap)
+    }
+    fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
+        (**self).contact_time(impact, overlap)
     }
 }

@@ -1,6 +1,6 @@
 //! Which scales does a force law set? Reads material and impact; writes T, X and c_dis.
 
-use super::rule::{Impact, Outcome};
+use super::rule::{ContactForce, Impact, Outcome};
 use crate::error::{Error, Subject};
 use crate::scalar::{Scalar, WideProduct};
 use carom_tables::read::{Groups, Law, ScaledRestitution};
@@ -69,6 +69,11 @@ pub trait ForceLaw<S: Scalar> {
     const LAW: Law;
     /// The scales it sets in an impact.
     fn scales(&self, impact: &Impact<S>) -> Scales<S>;
+    /// The force of two bodies that overlap by this much.
+    fn force(&self, impact: &Impact<S>, overlap: S) -> ContactForce<S>;
+    /// How long a contact of the two lasts without damping, at the speed of this impact or already
+    /// pressed together by this much, whichever makes it shorter.
+    fn contact_time(&self, impact: &Impact<S>, overlap: S) -> S;
     /// Whether the parameters make sense.
     ///
     /// # Errors
@@ -116,6 +121,16 @@ impl<S: Scalar> ForceLaw<S> for LinearDashpot<S> {
         Scales { time, length: time * impact.normal_speed, c_dis }
     }
 
+    /// k x, γ.
+    fn force(&self, _: &Impact<S>, overlap: S) -> ContactForce<S> {
+        ContactForce { elastic: self.stiffness * overlap, damping: self.damping }
+    }
+
+    /// π T, at any speed.
+    fn contact_time(&self, impact: &Impact<S>, _: S) -> S {
+        S::from_f64(core::f64::consts::PI) * impact.reduced_mass.sqrt_of_ratio(self.stiffness)
+    }
+
     fn check(&self) -> Result<(), Error> {
         positive("stiffness", self.stiffness)?;
         not_negative("damping", self.damping)
@@ -127,14 +142,33 @@ impl<S: Scalar> ForceLaw<S> for Viscoelastic<S> {
 
     /// T = k^{−2/5} v_n^{−1/5} with k = ρ/m_eff, c_dis = 3A/(2T) (MP13 Eqs. 52–54).
     fn scales(&self, impact: &Impact<S>) -> Scales<S> {
-        let one = S::one();
-        let two_thirds = S::from_f64(2.0 / 3.0);
-        let rho = two_thirds * self.young * impact.effective_radius.sqrt()
-            / (one - self.poisson * self.poisson);
-        let k = rho / impact.reduced_mass;
+        let k = self.stiffness(impact) / impact.reduced_mass;
         let time = S::viscoelastic_time(k, impact.normal_speed);
         let c_dis = S::from_f64(1.5) * self.dissipation / time;
         Scales { time, length: time * impact.normal_speed, c_dis }
+    }
+
+    /// ρ x^{3/2}, (3/2) A ρ x^{1/2}.
+    fn force(&self, impact: &Impact<S>, overlap: S) -> ContactForce<S> {
+        let rigidity = self.stiffness(impact) * overlap.sqrt();
+        ContactForce {
+            elastic: rigidity * overlap,
+            damping: S::from_f64(1.5) * self.dissipation * rigidity,
+        }
+    }
+
+    /// 3.218 T (the elastic central collision's duration), or half a period about a static overlap.
+    fn contact_time(&self, impact: &Impact<S>, overlap: S) -> S {
+        let impulsive = match impact.normal_speed > S::zero() {
+            true => S::from_f64(3.218_066) * self.scales(impact).time,
+            false => S::NEVER,
+        };
+        let stiffness = S::from_f64(1.5) * self.stiffness(impact) * overlap.max(S::zero()).sqrt();
+        if !(stiffness > S::zero()) {
+            return impulsive;
+        }
+        let pressed = impact.reduced_mass.sqrt_of_ratio(stiffness);
+        impulsive.min(S::from_f64(core::f64::consts::PI) * pressed)
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -145,6 +179,16 @@ impl<S: Scalar> ForceLaw<S> for Viscoelastic<S> {
             return Ok(());
         }
         Err(Error::input(Subject::Rule, "poisson", nu.to_f64(), "above -1 and at most 0.5"))
+    }
+}
+
+impl<S: Scalar> Viscoelastic<S> {
+    /// ρ = (2/3) Y √R_eff / (1 − ν²) (MP13, below Eq. 51).
+    fn stiffness(&self, impact: &Impact<S>) -> S {
+        let one = S::one();
+        let two_thirds = S::from_f64(2.0 / 3.0);
+        two_thirds * self.young * impact.effective_radius.sqrt()
+            / (one - self.poisson * self.poisson)
     }
 }
 

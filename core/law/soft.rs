@@ -3,7 +3,7 @@
 #[cfg(feature = "standard")]
 use super::embedded::Standard;
 use super::embedded::TableSet;
-use super::rule::{Answer, Impact, Response, Rule, Validity};
+use super::rule::{Answer, ContactForce, Impact, Response, Rule, Validity};
 use super::scales::{ForceLaw, Scales};
 #[cfg(feature = "standard")]
 use super::scales::{LinearDashpot, Viscoelastic};
@@ -111,6 +111,14 @@ where
 
     fn check(&self) -> Result<(), Error> {
         self.law.check()
+    }
+
+    fn force(&self, impact: &Impact<S>, overlap: S) -> Option<ContactForce<S>> {
+        Some(self.law.force(impact, overlap))
+    }
+
+    fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
+        Some(self.law.contact_time(impact, overlap))
     }
 }
 

@@ -18,13 +18,15 @@ pub struct Body<S: Scalar, const D: usize> {
     pub(crate) clock: S,
     pub(crate) radius: S,
     /// What the contact's end (E^v) adds to the velocity. For a plane: the normal velocity's new value.
+    /// Of a clustered grain: its acceleration in the last step.
     pub(crate) velocity_change: Vector<S, D>,
-    /// When the contact ends.
+    /// When the contact ends. Of a clustered grain: when it touched something last.
     pub(crate) contact_end: S,
-    /// In a contact: until when no third body may end it. Else: when the last collision was.
+    /// In a contact: until when no third body may end it. Of a clustered grain: since when it has been
+    /// slow. Else: when the last collision was.
     pub(crate) reference_time: S,
     pub(crate) mass: S,
-    /// With whom it is in contact.
+    /// With whom it is in contact; of a clustered grain the next clustered one.
     pub(crate) partner: Partner,
     /// Changes whenever the trajectory does, so that events predicted before can be told as stale.
     pub(crate) event_count: u32,
@@ -144,9 +146,14 @@ impl<S: Scalar, const D: usize> Body<S, D> {
         if self.in_contact() { self.reference_time } else { S::zero() }
     }
 
-    /// Whether a contact is under way.
+    /// Whether a contact of two is under way.
     pub(crate) fn in_contact(&self) -> bool {
-        self.partner != Partner::NOTHING
+        self.partner != Partner::NOTHING && !self.partner.is_clustered()
+    }
+
+    /// Whether it moves in steps, by the forces of all that it touches.
+    pub(crate) fn is_clustered(&self) -> bool {
+        self.partner.is_clustered()
     }
 }
 

@@ -7,12 +7,16 @@ pub struct Partner(u32);
 
 impl Partner {
     const FIRST_PLANE: u32 = u32::MAX - 255;
+    /// From here on words are those of clustered grains, and name the next of them.
+    const FIRST_CLUSTERED: u32 = 1 << 31;
+    /// The last clustered grain.
+    pub(crate) const LAST_CLUSTERED: Self = Self(Self::FIRST_PLANE - 1);
     /// What memory holds that nobody has written yet.
     pub(crate) const ZERO: Self = Self(0);
     /// Nothing at all.
     pub const NOTHING: Self = Self(u32::MAX);
     /// The most grains a world can hold: the words above name planes.
-    pub const MAX_GRAINS: usize = Self::FIRST_PLANE as usize;
+    pub const MAX_GRAINS: usize = Self::FIRST_CLUSTERED as usize - 1;
 
     /// The grain with this number.
     #[must_use]
@@ -31,7 +35,23 @@ impl Partner {
     /// The grain's number, if it is a grain.
     #[must_use]
     pub fn as_grain(self) -> Option<usize> {
-        (self.0 < Self::FIRST_PLANE).then_some(self.0 as usize)
+        (self.0 < Self::FIRST_CLUSTERED).then_some(self.0 as usize)
+    }
+
+    /// What a clustered grain has for a partner: the number of the next clustered grain, if there is one.
+    pub(crate) fn clustered(next: Option<usize>) -> Self {
+        next.map_or(Self::LAST_CLUSTERED, |next| Self(Self::grain(next).0 | Self::FIRST_CLUSTERED))
+    }
+
+    /// Whether this is what a clustered grain has.
+    pub(crate) fn is_clustered(self) -> bool {
+        self.0 >= Self::FIRST_CLUSTERED && self.0 < Self::FIRST_PLANE
+    }
+
+    /// The next clustered grain, if there is one.
+    pub(crate) fn next_clustered(self) -> Option<usize> {
+        let is_one = self.is_clustered() && self != Self::LAST_CLUSTERED;
+        is_one.then_some((self.0 & !Self::FIRST_CLUSTERED) as usize)
     }
 
     /// The plane's number, if it is a plane.
@@ -53,6 +73,7 @@ impl core::fmt::Display for Partner {
         match (self.as_grain(), self.as_plane()) {
             (Some(i), _) => write!(f, "grain {i}"),
             (_, Some(i)) => write!(f, "plane {i}"),
+            _ if self.is_clustered() => f.write_str("a cluster"),
             _ => f.write_str("nothing"),
         }
     }

@@ -19,38 +19,82 @@ pub(super) fn begin<S: Scalar, const D: usize>(
     [a, b]: &[Body<S, D>; 2],
     (frame, outcome): (&ImpactFrame<S, D>, &Outcome<S>),
 ) -> bool {
-    let (separation, velocity) = frame.after(a.radius + b.radius, outcome);
-    let mass = a.mass + b.mass;
-    let (share_a, share_b) = (b.mass / mass, -(a.mass / mass));
-    let moved = separation - context.domain.separation(a, b);
-    // Steps on the lattice: positions then do not depend on the image in which a grain is kept.
-    let step = |share| context.domain.boundary.on_lattice(moved * share);
-    let (at_a, at_b) = (a.position + step(share_a), b.position + step(share_b));
+    let turn = Turn::new(context, [a, b], (frame, outcome));
+    let [at_a, at_b] = turn.positions;
     if !(has_room(context, i, at_a, Partner::grain(k))
         && has_room(context, k, at_b, Partner::grain(i)))
     {
         context.count(Incident::RotationRefused);
         return false;
     }
-    let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / mass);
-    let bound = |body: &Body<S, D>, position, share, partner| {
-        let there = Body { position, velocity: centre, ..body.awake() };
-        Body {
-            velocity_change: velocity * share,
-            contact_end: context.now() + outcome.duration,
-            reference_time: uninterruptible_until(context, &there, outcome.duration),
-            partner: Partner::grain(partner),
-            ..there
-        }
-    };
-    let (bound_a, bound_b) = (bound(a, at_a, share_a, k), bound(b, at_b, share_b, i));
-    for (x, body, bound) in [(i, a, bound_a), (k, b, bound_b)] {
-        context.relocate(x, bound);
-        if body.is_supported() {
-            wake::woke(context, x);
+    turn.bind(context, [i, k], [a, b], outcome.duration);
+    true
+}
+
+/// The same where it is known that there is room.
+pub(super) fn bind<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    who: [usize; 2],
+    [a, b]: &[Body<S, D>; 2],
+    (frame, outcome): (&ImpactFrame<S, D>, &Outcome<S>),
+) {
+    Turn::new(context, [a, b], (frame, outcome)).bind(context, who, [a, b], outcome.duration);
+}
+
+/// What a contact makes of two grains.
+struct Turn<S: Scalar, const D: usize> {
+    /// Where they stand then.
+    positions: [Vector<S, D>; 2],
+    /// What E^v will add to their velocities.
+    changes: [Vector<S, D>; 2],
+}
+
+impl<S: Scalar, const D: usize> Turn<S, D> {
+    #[inline]
+    fn new(
+        context: &Context<'_, '_, S, D>,
+        [a, b]: [&Body<S, D>; 2],
+        (frame, outcome): (&ImpactFrame<S, D>, &Outcome<S>),
+    ) -> Self {
+        let (separation, velocity) = frame.after(a.radius + b.radius, outcome);
+        let mass = a.mass + b.mass;
+        let (share_a, share_b) = (b.mass / mass, -(a.mass / mass));
+        let moved = separation - context.domain.separation(a, b);
+        // Steps on the lattice: positions then do not depend on the image in which a grain is kept.
+        let step = |share| context.domain.boundary.on_lattice(moved * share);
+        Self {
+            positions: [a.position + step(share_a), b.position + step(share_b)],
+            changes: [velocity * share_a, velocity * share_b],
         }
     }
-    true
+
+    #[inline]
+    fn bind(
+        &self,
+        context: &mut Context<'_, '_, S, D>,
+        [i, k]: [usize; 2],
+        [a, b]: [&Body<S, D>; 2],
+        duration: S,
+    ) {
+        let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / (a.mass + b.mass));
+        let ([at_a, at_b], [change_a, change_b]) = (self.positions, self.changes);
+        for (x, body, position, velocity_change, partner) in
+            [(i, a, at_a, change_a, k), (k, b, at_b, change_b, i)]
+        {
+            let there = Body { position, velocity: centre, ..body.awake() };
+            let bound = Body {
+                velocity_change,
+                contact_end: context.now() + duration,
+                reference_time: uninterruptible_until(context, &there, duration),
+                partner: Partner::grain(partner),
+                ..there
+            };
+            context.relocate(x, bound);
+            if body.is_supported() {
+                wake::woke(context, x);
+            }
+        }
+    }
 }
 
 /// E^φ against a plane: the grain stays at ε_r R from it for the contact duration; the motion along

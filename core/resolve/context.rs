@@ -2,6 +2,7 @@
 
 use super::effects::{Effects, Incident};
 use super::parameters::Parameters;
+use crate::cluster::{self, Clusters};
 use crate::particle::Body;
 use crate::scalar::{Clock, Scalar};
 use crate::space::{Domain, Particles};
@@ -11,7 +12,8 @@ pub(crate) struct Context<'a, 'm, S: Scalar, const D: usize> {
     pub particles: &'a mut Particles<'m, S, D>,
     pub domain: &'a Domain<'m, S, D>,
     pub clock: &'a Clock<S>,
-    pub parameters: &'a mut Parameters<S>,
+    pub parameters: &'a mut Parameters<S, D>,
+    pub clusters: &'a mut Clusters<S>,
     pub effects: &'a mut Effects,
 }
 
@@ -35,6 +37,12 @@ impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
     /// Writes a body that was put somewhere else.
     pub fn relocate(&mut self, grain: usize, body: Body<S, D>) {
         self.particles.relocate(&self.domain.boundary, grain, body);
+    }
+
+    /// A grain is clustered from now on.
+    pub fn join(&mut self, grain: usize) {
+        let now = self.clock.now;
+        cluster::join(self.particles, self.domain, self.clusters, (grain, now));
     }
 
     /// Something happened that is worth counting.

@@ -23,6 +23,10 @@ pub enum EventOutcome<S> {
     TookOff,
     /// A third body came before the contact's end, which was drawn forward to now.
     ContactInterrupted,
+    /// The two, or the grain that touched a plane, are clustered from now on: forces decide.
+    Joined,
+    /// Clustered grains moved a step on.
+    Stepped,
     /// A grain crossed into another cell; its trajectory is the same.
     CellCrossed,
     /// Nothing: a prediction was renewed, or a grain is still supported, or two part already.
@@ -58,6 +62,8 @@ pub(crate) enum Incident {
     Collapse,
     /// A slow collision with a grain that gives way only as far as its supports let it.
     SupportedCollision,
+    /// Grains became clustered.
+    Join,
 }
 
 /// What an event leaves to be done and to be counted.

@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::effects::EventOutcome;
-use super::{contact_end, grain_collision, plane_collision, wake};
+use super::{contact_end, crowded_collision, grain_collision, plane_collision, wake};
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::Error;
 use crate::law::Rule;
@@ -27,7 +27,7 @@ pub(crate) fn resolve<S: Scalar, const D: usize>(
         EventKind::SupportCheck => Ok(wake::check_support(context, grain)),
         EventKind::CellCrossing => Ok(cross(context, grain, event.face)),
         EventKind::Recheck if event.is_pause() => Ok(go_on(context, grain)),
-        EventKind::BoundarySentinel | EventKind::Recheck | EventKind::Nothing => {
+        EventKind::BoundarySentinel | EventKind::Recheck | EventKind::Step | EventKind::Nothing => {
             Ok(EventOutcome::Unchanged)
         }
     }
@@ -43,6 +43,9 @@ fn touch<S: Scalar, const D: usize>(
     let other = partner.as_grain();
     context.effects.predict_anew(i);
     other.into_iter().for_each(|k| context.effects.predict_anew(k));
+    if context.parameters.settings.is_integrated() {
+        return crowded_collision::touch(context, rule, (i, partner));
+    }
     if contact_end::interrupt(context, [Some(i), other]) {
         return Ok(EventOutcome::ContactInterrupted);
     }

@@ -1,10 +1,12 @@
 //! What happens then? Reads an event and the rule; writes bodies, returns the outcome and whose predictions are void.
 
 mod accept_answer;
+mod broken_contact;
 mod clearance;
 mod contact_begin;
 mod contact_end;
 mod context;
+mod crowded_collision;
 mod effects;
 mod event;
 mod grain_collision;
@@ -18,6 +20,7 @@ mod support;
 mod supported_collision;
 mod wake;
 
+pub(crate) use broken_contact::cluster as cluster_contact;
 pub(crate) use context::Context;
 pub use effects::EventOutcome;
 pub(crate) use effects::{Effects, Incident};

@@ -1,5 +1,8 @@
 //! What was a world told of contacts, or has learned of them? Reads and writes nothing.
 
+use crate::cluster::Settings;
+use crate::scalar::{Scalar, Vector};
+
 /// How a contact ends for its two grains when a third body interrupts it (MP13 §VI.B.5, exception b).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -15,7 +18,7 @@ pub enum Release {
 
 /// What a world was told of contacts, and the one thing that it learns of them.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Parameters<S> {
+pub(crate) struct Parameters<S: Scalar, const D: usize> {
     /// The TC rule's contact duration t_c; 0 without the rule.
     pub t_c: S,
     /// Shorter hops on other grains are none: follows from gravity, see [`super::support::min_hop_time`].
@@ -24,4 +27,8 @@ pub(crate) struct Parameters<S> {
     pub release: Release,
     /// Whether a slow collision that would have lost energy was made elastic: hops on planes may end then.
     pub lossy_hops: bool,
+    /// What becomes of contacts that last or crowd.
+    pub settings: Settings<S>,
+    /// The gravity under which sleeping grains fell asleep.
+    pub settled_gravity: Vector<S, D>,
 }

@@ -73,7 +73,7 @@ fn respond<S: Scalar, const D: usize>(
 ///
 /// Under gravity a contact slower than the fall through 5e-7 R is given the duration of that speed:
 /// below it the weight, not the impact, decides how long a contact lasts.
-fn impact<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: S) -> Impact<S> {
+pub(super) fn impact<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: S) -> Impact<S> {
     let floor = S::from_f64(1e-3) * g.abs().times(body.radius).sqrt();
     Impact {
         contact_distance: body.radius,

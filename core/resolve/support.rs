@@ -60,7 +60,7 @@ pub(super) fn carrier_velocity<S: Scalar, const D: usize>(
 /// Surfaces this near touch: within the height of a hop, or of rounding.
 fn contact_tolerance<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
-    parameters: &Parameters<S>,
+    parameters: &Parameters<S, D>,
     body: &Body<S, D>,
 ) -> S {
     let g = norm(domain.gravity());
@@ -143,7 +143,7 @@ pub(super) fn is_negligible<S: Scalar, const D: usize>(
 pub(crate) fn lies_on<S: Scalar, const D: usize>(
     particles: &Particles<'_, S, D>,
     domain: &Domain<'_, S, D>,
-    (now, parameters): (S, &Parameters<S>),
+    (now, parameters): (S, &Parameters<S, D>),
     [k, i]: [usize; 2],
 ) -> bool {
     if k == i || !particles.body(k).is_some_and(Body::is_asleep) {

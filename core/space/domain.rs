@@ -32,6 +32,11 @@ impl<'m, S: Scalar, const D: usize> Domain<'m, S, D> {
         self.weightless
     }
 
+    /// Whether no plane moves.
+    pub fn is_still(&self) -> bool {
+        self.boundary.planes().iter().all(|plane| plane.vibration.is_none())
+    }
+
     /// From now on this gravity acts.
     pub fn set_gravity(&mut self, gravity: Vector<S, D>) {
         self.gravity = gravity;

@@ -7,12 +7,14 @@ use super::flight;
 use super::grid::{CellFace, Grid};
 use crate::error::{Error, Subject};
 use crate::particle::{Body, Partner};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, Vector};
 
 /// All bodies, and who is near whom.
 pub(crate) struct Particles<'m, S: Scalar, const D: usize> {
     /// Each at its own clock.
     pub bodies: &'m mut [Body<S, D>],
+    /// Of clustered grains during a step: those of the last one.
+    pub accelerations: &'m mut [Vector<S, D>],
     pub cells: Cells<'m, S, D>,
     pub largest_radius: S,
     /// How many bodies something holds against gravity.
@@ -21,9 +23,13 @@ pub(crate) struct Particles<'m, S: Scalar, const D: usize> {
 
 impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
     /// These bodies, each in its cell.
-    pub fn new(bodies: &'m mut [Body<S, D>], cells: Cells<'m, S, D>) -> Self {
+    pub fn new(
+        bodies: &'m mut [Body<S, D>],
+        accelerations: &'m mut [Vector<S, D>],
+        cells: Cells<'m, S, D>,
+    ) -> Self {
         let largest_radius = largest_radius(bodies);
-        let mut all = Self { bodies, cells, largest_radius, supported: 0 };
+        let mut all = Self { bodies, accelerations, cells, largest_radius, supported: 0 };
         all.fill_cells();
         all
     }
@@ -50,8 +56,13 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
 
     /// Writes a body whose velocity changed: events predicted for it are void.
     pub fn replace(&mut self, boundary: &Boundary<'_, S, D>, grain: usize, mut body: Body<S, D>) {
-        body.event_count = body.event_count.wrapping_add(1);
         body.position = boundary.on_lattice(body.position);
+        self.put(grain, body);
+    }
+
+    /// The same where its position stays as it was: at its own clock it may be many boxes away.
+    pub fn put(&mut self, grain: usize, mut body: Body<S, D>) {
+        body.event_count = body.event_count.wrapping_add(1);
         if let Some(place) = self.bodies.get_mut(grain) {
             self.supported -= usize::from(place.is_supported());
             self.supported += usize::from(body.is_supported());

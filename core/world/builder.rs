@@ -4,6 +4,7 @@ use super::state::{Progress, World};
 use super::statistics::Statistics;
 use super::storage::{Buffers, Storage};
 use super::{check_input, check_scales};
+use crate::cluster::{Clusters, Enduring, Settings};
 use crate::detect::ScheduledEvent;
 use crate::error::{Error, Subject};
 use crate::law::Rule;
@@ -28,6 +29,7 @@ pub struct WorldBuilder<'m, S: Scalar, const D: usize, R> {
     pub(super) gravity: Vector<S, D>,
     release: Release,
     t_c: S,
+    pub(super) settings: Settings<S>,
     rule: R,
     /// The first thing that was wrong; told by [`WorldBuilder::start`].
     error: Option<Error>,
@@ -45,6 +47,7 @@ impl<'m, S: Scalar, const D: usize> World<'m, S, D, NoRule> {
             gravity: Vector::zeros(),
             release: Release::default(),
             t_c: S::zero(),
+            settings: Settings::new(Enduring::default()),
             rule: NoRule,
             error: None,
         }
@@ -132,7 +135,7 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
         self
     }
 
-    /// How a contact ends when a third body interrupts it.
+    /// How a contact ends when a third body interrupts it. [`Enduring::Paper`] only: else it goes on by forces.
     #[must_use]
     pub fn release(mut self, release: Release) -> Self {
         self.release = release;
@@ -143,7 +146,8 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     /// than `t_c` after the last one of either grain is elastic. Zero, the default, is no such rule.
     ///
     /// A real contact lasts t_c; grains that meet more often than that are in lasting contact, and
-    /// lose no more energy by it. It also says when a hop is too short to be one: a grain that would
+    /// lose no more energy by it. [`Enduring::Paper`] only: else forces take over, see
+    /// [`WorldBuilder::contact_time`]. It also says when a hop is too short to be one: a grain that would
     /// be back within t_c lies still. Soft laws have their own contact duration and do not need it.
     ///
     /// # Units
@@ -158,11 +162,46 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
         self
     }
 
+    /// What becomes of contacts that last or crowd: see [`Enduring`].
+    #[must_use]
+    pub fn enduring(mut self, enduring: Enduring) -> Self {
+        self.settings.enduring = enduring;
+        self
+    }
+
+    /// How long a slow contact of grains lasts whose rule has no force law. By default (R/g)^½/16, R the
+    /// smaller of the two. [`Enduring::Integrated`] only.
+    ///
+    /// # Units
+    /// Time; above zero.
+    #[must_use]
+    pub fn contact_time(mut self, time: S) -> Self {
+        if !(time > S::zero() && time.is_finite()) {
+            let wanted = "finite and above 0";
+            self.note(Err(Error::input(Subject::World, "contact time", time.to_f64(), wanted)));
+        }
+        self.settings.contact_time = Some(time);
+        self
+    }
+
+    /// In how many steps the shortest contact of a cluster is integrated: 32 by default, at least 8. The
+    /// error falls with the square of it. [`Enduring::Integrated`] only.
+    #[must_use]
+    pub fn steps_per_contact(mut self, steps: u32) -> Self {
+        if !(8..=4096).contains(&steps) {
+            let wanted = "between 8 and 4096";
+            let no = Error::input(Subject::World, "steps per contact", f64::from(steps), wanted);
+            self.note(Err(no));
+        }
+        self.settings.steps = S::from_count(steps);
+        self
+    }
+
     /// What grains do when they touch.
     #[must_use]
     pub fn rule<Q: Rule<S>>(self, rule: Q) -> WorldBuilder<'m, S, D, Q> {
-        let Self { buffers, count, boundary, gravity, release, t_c, error, .. } = self;
-        WorldBuilder { buffers, count, boundary, gravity, release, t_c, rule, error }
+        let Self { buffers, count, boundary, gravity, release, t_c, settings, error, .. } = self;
+        WorldBuilder { buffers, count, boundary, gravity, release, t_c, settings, rule, error }
     }
 
     /// One more grain.
@@ -219,11 +258,12 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         for axis in 0..D {
             boundary.periodic(axis).into_iter().for_each(|p| boundary.set_periodic(axis, p));
         }
-        let Buffers { bodies, events, tree, links, heads, .. } = self.buffers;
+        let Buffers { bodies, events, tree, links, heads, accelerations, .. } = self.buffers;
         let bodies = bodies.get_mut(..self.count).unwrap_or_default();
         let events = events.get_mut(..self.count).unwrap_or_default();
         let tree = tree.get_mut(..self.count).unwrap_or_default();
         let links = links.get_mut(..self.count).unwrap_or_default();
+        let accelerations = accelerations.get_mut(..self.count).unwrap_or_default();
         let largest_radius = largest_radius(bodies);
         check_input::space(&boundary, &self.gravity, largest_radius)?;
         for (i, body) in bodies.iter_mut().enumerate() {
@@ -232,11 +272,12 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         }
         check_scales::scales(&boundary, &self.gravity, bodies)?;
         events.fill(ScheduledEvent::NONE);
-        let reach = largest_radius + largest_radius;
-        let grid = Grid::choose(&boundary, bodies, reach, heads.len());
+        let settings = self.settings.adopted(&self.rule, &boundary, &self.gravity, bodies);
+        let sight = settings.sight(largest_radius);
+        let grid = Grid::choose(&boundary, bodies, sight, heads.len());
         let min_hop_time = min_hop_time(&self.gravity, largest_radius);
         Ok(World {
-            particles: Particles::new(bodies, Cells::new(grid, heads, links)),
+            particles: Particles::new(bodies, accelerations, Cells::new(grid, heads, links)),
             domain: Domain::new(boundary, self.gravity),
             clock: Clock::start(),
             parameters: Parameters {
@@ -244,7 +285,10 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
                 min_hop_time,
                 release: self.release,
                 lossy_hops: false,
+                settings,
+                settled_gravity: self.gravity,
             },
+            clusters: Clusters::none(),
             queue: EventQueue::new(events, tree),
             rule: self.rule,
             statistics: Statistics::default(),

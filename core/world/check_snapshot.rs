@@ -1,6 +1,7 @@
 //! Is this the state of a world? Reads a snapshot, which anyone may have written; writes nothing, names the first bad field.
 
 use super::statistics::Statistics;
+use crate::cluster::Clusters;
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::{Error, Subject};
 use crate::particle::{Body, Partner};
@@ -27,7 +28,7 @@ pub(super) fn check<S: Scalar, const D: usize>(
         for partner in [body.partner, event.partner] {
             let grain = partner.as_grain().is_some_and(|k| k < count && k != i);
             let plane = partner.as_plane().is_some_and(|p| p < planes);
-            if !(grain || plane || partner == Partner::NOTHING) {
+            if !(grain || plane || partner == Partner::NOTHING || partner.is_clustered()) {
                 let wanted = "another grain, a plane or nothing";
                 let word = f64::from(partner.word());
                 return Err(Error::input(Subject::Grain(i), "partner", word, wanted));
@@ -44,7 +45,8 @@ fn check_body<S: Scalar, const D: usize>(i: usize, body: &Body<S, D>, now: S) ->
     if !(body.clock >= S::zero() && body.clock <= now) {
         return no("clock", body.clock, "at least 0 and at most the present");
     }
-    if !(body.contact_end >= now && body.contact_end <= S::NEVER) {
+    let touched = body.is_clustered() && body.contact_end.is_finite();
+    if !(touched || body.contact_end >= now && body.contact_end <= S::NEVER) {
         return no("contact_end", body.contact_end, "not before the present");
     }
     if !body.reference_time.is_finite() {
@@ -64,6 +66,18 @@ fn check_event<S: Scalar>(i: usize, event: &ScheduledEvent<S>, now: S) -> Result
     }
     let wanted = "not before the present, and never for a grain without an event";
     Err(Error::input(Subject::Grain(i), "time of its event", event.time.to_f64(), wanted))
+}
+
+/// The common time of clustered grains is not after the present, and their step ends after it.
+pub(super) fn check_clusters<S: Scalar>(clusters: &Clusters<S>, now: S) -> Result<(), Error> {
+    let Clusters { time, step, speed, count, .. } = *clusters;
+    let ends = step >= S::zero() && step.is_finite() && time + step >= now;
+    let is_one = count == 0 || time >= S::zero() && time <= now && ends;
+    if is_one && speed >= S::zero() && time.is_finite() {
+        return Ok(());
+    }
+    let wanted = "not after the present, and not before it with the step";
+    Err(Error::input(Subject::World, "time of the last step", time.to_f64(), wanted))
 }
 
 /// Statistics near the end of their range would overflow.

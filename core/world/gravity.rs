@@ -2,10 +2,11 @@
 
 use super::check_scales;
 use super::state::World;
+use crate::cluster;
 use crate::error::{Error, Subject};
 use crate::law::Rule;
-use crate::resolve::{Context, Effects, continue_contact, min_hop_time};
-use crate::scalar::{Scalar, Vector, all_finite};
+use crate::resolve::{self, Context, Effects, continue_contact, min_hop_time};
+use crate::scalar::{Scalar, Vector, all_finite, norm};
 
 impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// Changes gravity now: between events, in the middle of contacts too. All events are predicted anew.
@@ -22,6 +23,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Err(Error::input(Subject::World, "gravity", value, "a finite number"));
         }
         check_scales::gravity(&gravity, self.particles.largest_radius)?;
+        if self.parameters.settings.is_integrated() {
+            return self.change_gravity(gravity);
+        }
         self.set_clocks_back(self.clock.now);
         self.progress.at_once = 0;
         let before = *self.domain.gravity();
@@ -31,6 +35,52 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         self.continue_contacts(&before);
         self.predict_all();
         Ok(())
+    }
+
+    /// The same where contacts are integrated: those with a plane go on by forces, and sleepers wake unless
+    /// the change is less than what their contacts can take.
+    fn change_gravity(&mut self, gravity: Vector<S, D>) -> Result<(), Error> {
+        let before = *self.domain.gravity();
+        if gravity == before {
+            return Ok(());
+        }
+        self.cluster_wall_contacts();
+        if self.clusters.count > 0 && self.clusters.time < self.clock.now {
+            self.move_clusters(self.clock.now)?;
+        }
+        self.set_clocks_back(self.clock.now);
+        self.progress.at_once = 0;
+        self.domain.set_gravity(gravity);
+        self.parameters.settings.take_gravity(&gravity, S::zero());
+        let (now, change) = (self.clock.now, norm(&(gravity - self.parameters.settled_gravity)));
+        if change > norm(&self.parameters.settled_gravity) * S::from_f64(0.005) {
+            self.parameters.settled_gravity = gravity;
+            cluster::wake(&mut self.particles, &self.domain, &mut self.clusters, now);
+        }
+        if self.clusters.count > 0 {
+            self.move_clusters(now)?;
+        }
+        self.predict_all();
+        Ok(())
+    }
+
+    /// Contacts of two with a plane feel gravity: grains in one are clustered, as they are now.
+    fn cluster_wall_contacts(&mut self) {
+        let mut effects = Effects::default();
+        let mut context = Context {
+            particles: &mut self.particles,
+            domain: &self.domain,
+            clock: &self.clock,
+            parameters: &mut self.parameters,
+            clusters: &mut self.clusters,
+            effects: &mut effects,
+        };
+        for i in 0..context.particles.bodies.len() {
+            let body = context.particles.body(i);
+            if body.is_some_and(|body| body.partner.as_plane().is_some()) {
+                resolve::cluster_contact(&mut context, &self.rule, i);
+            }
+        }
     }
 
     /// Nothing supports any grain any longer.
@@ -49,6 +99,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             domain: &self.domain,
             clock: &self.clock,
             parameters: &mut self.parameters,
+            clusters: &mut self.clusters,
             effects: &mut effects,
         };
         for i in 0..context.particles.bodies.len() {

@@ -1,17 +1,34 @@
 //! When are predictions made? Reads the world's state; writes its queue.
 
 use super::state::World;
+use crate::cluster;
 use crate::detect::{self, EventKind, ScheduledEvent};
+use crate::particle::Body;
 use crate::scalar::Scalar;
 
 impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
     /// A grain's next event. Without cells it is brought back into the box first, so that the nearest
     /// image is one box length away at most.
     pub(super) fn predict(&mut self, grain: usize) -> ScheduledEvent<S> {
+        if self.parameters.settings.is_integrated()
+            && let Some(body) = self.particles.body(grain)
+            && (body.is_clustered() || body.is_asleep())
+        {
+            return self.predict_settled(grain);
+        }
         if self.particles.cells.grid.is_none() {
             self.particles.rewrap(grain, &self.domain, self.clock.now);
         }
         detect::next_event(&self.particles, &self.domain, self.clock.now, grain)
+    }
+
+    /// The same for a clustered or sleeping grain: what sleeps waits.
+    fn predict_settled(&self, grain: usize) -> ScheduledEvent<S> {
+        if self.particles.body(grain).is_some_and(Body::is_asleep) {
+            return ScheduledEvent::NONE;
+        }
+        let clusters = (&self.clusters, &self.parameters.settings);
+        cluster::next_event(&self.particles, &self.domain, clusters, self.clock.now, grain)
     }
 
     /// The same for a grain that has just crossed into another cell.

@@ -4,6 +4,7 @@ use super::check_snapshot;
 use super::state::{Progress, World};
 use super::statistics::Statistics;
 use super::storage::Storage;
+use crate::cluster::{Clusters, Settings};
 use crate::detect::ScheduledEvent;
 use crate::error::Error;
 use crate::law::Rule;
@@ -34,6 +35,9 @@ pub struct Snapshot<S: Scalar, const D: usize, B, Q> {
     epoch: Instant,
     release: Release,
     t_c: S,
+    settings: Settings<S>,
+    settled_gravity: Vector<S, D>,
+    clusters: Clusters<S>,
     statistics: Statistics,
     lossy_hops: bool,
     progress: Progress,
@@ -54,6 +58,9 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
             epoch: self.clock.epoch,
             release: self.parameters.release,
             t_c: self.parameters.t_c,
+            settings: self.parameters.settings,
+            settled_gravity: self.parameters.settled_gravity,
+            clusters: self.clusters,
             statistics: self.statistics,
             lossy_hops: self.parameters.lossy_hops,
             progress: self.progress,
@@ -80,6 +87,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         let (bodies, events) = (saved.bodies.as_ref(), saved.events.as_ref());
         let planes = saved.boundary.planes.len();
         check_snapshot::check(bodies, events, saved.now, planes)?;
+        check_snapshot::check_clusters(&saved.clusters, saved.now)?;
         check_snapshot::check_statistics(&saved.statistics)?;
         let mut builder =
             World::builder(memory).rule(rule).grains(bodies.iter().map(Body::as_grain))?;
@@ -104,6 +112,10 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
         self.particles.bodies.copy_from_slice(bodies);
         self.particles.supported = bodies.iter().filter(|body| body.is_supported()).count();
         self.parameters.lossy_hops = saved.lossy_hops;
+        self.parameters.settings = saved.settings;
+        self.parameters.settled_gravity = saved.settled_gravity;
+        self.clusters = saved.clusters;
+        self.clusters.relink(self.particles.bodies);
         let Snapshot { now, last_visible, epoch, .. } = *saved;
         self.clock = Clock { now, last_visible, epoch };
         self.domain.boundary.set_epoch(saved.epoch);

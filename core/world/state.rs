@@ -1,6 +1,7 @@
 //! What is a world? Everything that an event may read or change; reads and writes nothing itself.
 
 use super::statistics::Statistics;
+use crate::cluster::Clusters;
 use crate::resolve::Parameters;
 use crate::scalar::{Clock, Scalar};
 use crate::schedule::EventQueue;
@@ -33,7 +34,8 @@ pub struct World<'m, S: Scalar, const D: usize, R> {
     pub(super) particles: Particles<'m, S, D>,
     pub(super) domain: Domain<'m, S, D>,
     pub(super) clock: Clock<S>,
-    pub(super) parameters: Parameters<S>,
+    pub(super) parameters: Parameters<S, D>,
+    pub(super) clusters: Clusters<S>,
     pub(super) queue: EventQueue<'m, S>,
     pub(super) rule: R,
     pub(super) statistics: Statistics,

@@ -39,6 +39,10 @@ pub struct Statistics {
     pub collapses: u64,
     /// Slow collisions with a grain at rest, which gave way only as far as its supports let it.
     pub supported_collisions: u64,
+    /// Times that grains became clustered by touching something.
+    pub joins: u64,
+    /// Steps of clustered grains.
+    pub steps: u64,
     /// Collisions put before others of the same instant because they were faster (LRV).
     pub reordered: u64,
     /// Predicted events that another event had made void.
@@ -89,6 +93,7 @@ impl Statistics {
             Incident::TakeOff => &mut self.take_offs,
             Incident::WithinTc => &mut self.within_tc,
             Incident::Collapse => &mut self.collapses,
+            Incident::Join => &mut self.joins,
             Incident::SupportedCollision => &mut self.supported_collisions,
         }
     }

@@ -4,10 +4,11 @@ use super::observe::{Event, Observer};
 use super::state::World;
 use super::statistics::Statistics;
 use super::view::View;
+use crate::cluster;
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::{Error, Subject};
 use crate::law::Rule;
-use crate::particle::{Body, Grain};
+use crate::particle::{Body, Grain, Partner};
 use crate::resolve::{self, Context, Effects, EventOutcome};
 use crate::scalar::{Instant, Scalar};
 use crate::schedule::first_of_instant;
@@ -41,7 +42,13 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         limit: S,
         observer: &mut impl Observer<S, D>,
     ) -> Result<Option<Event<S>>, Error> {
-        let Some((grain, due)) = self.due(limit) else { return Ok(None) };
+        let step = self.clusters.due();
+        let Some((grain, due)) = self.due(limit.min(step)) else {
+            if self.clusters.count > 0 && step <= limit {
+                return self.step_clusters(step, observer).map(Some);
+            }
+            return Ok(None);
+        };
         self.move_clock(grain, &due)?;
         let (at, partner, kind) = (self.now(), due.with(), due.kind);
         let mut event = Event { at, grain, partner, kind, outcome: None };
@@ -82,6 +89,78 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             let event = self.predict(stale);
             self.queue.set(stale, event);
         }
+    }
+
+    /// Clustered grains move on to this time, and all that may touch next is predicted.
+    fn step_clusters(
+        &mut self,
+        to: S,
+        observer: &mut impl Observer<S, D>,
+    ) -> Result<Event<S>, Error> {
+        let grain = self.clusters.first().unwrap_or(0);
+        self.clock.move_to(to);
+        (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
+        let (at, kind) = (self.now(), EventKind::Step);
+        let mut event = Event { at, grain, partner: Partner::NOTHING, kind, outcome: None };
+        observer.before(&event, self.view());
+        self.move_clusters(to)?;
+        self.statistics.steps += 1;
+        event.outcome = Some(EventOutcome::Stepped);
+        observer.after(&event, self.view());
+        self.keep_time(kind);
+        Ok(event)
+    }
+
+    /// The same without an observer.
+    pub(super) fn move_clusters(&mut self, to: S) -> Result<(), Error> {
+        let rule = (&self.rule, &self.parameters.settings);
+        cluster::step(&mut self.particles, &self.domain, &mut self.clusters, rule, to);
+        self.predict_changed()
+    }
+
+    /// Who of the clustered grains flies or sleeps from now on, and what happens to each next.
+    fn predict_changed(&mut self) -> Result<(), Error> {
+        let mut next = self.clusters.first();
+        while let Some(grain) = next {
+            next = self.particles.body(grain).and_then(|body| body.partner.next_clustered());
+            self.check_range(grain)?;
+            let who = (&self.parameters.settings, grain);
+            cluster::settle(&mut self.particles, &self.domain, &mut self.clusters, who);
+            let event = self.predict(grain);
+            if event.kind != EventKind::Nothing
+                || self.queue.event(grain).kind != EventKind::Nothing
+            {
+                self.queue.set(grain, event);
+            }
+            if self.particles.body(grain).is_some_and(Body::is_asleep) {
+                self.predict_free_near(grain);
+            }
+        }
+        Ok(())
+    }
+
+    /// A grain that fell asleep looks for nothing any more: free ones near it look for it.
+    fn predict_free_near(&mut self, grain: usize) {
+        let Some(cell) = self.particles.body(grain).map(|body| body.cell) else { return };
+        let mut after = None;
+        while let Some(k) = self.next_free_near(cell, after) {
+            let event = self.predict(k);
+            self.queue.set(k, event);
+            after = Some(k);
+        }
+    }
+
+    /// The free grain near this cell with the next number.
+    fn next_free_near(&self, cell: u32, after: Option<usize>) -> Option<usize> {
+        let mut next = None;
+        self.particles.cells.for_each_near(cell, |k| {
+            let is_free = |body: &Body<S, D>| !body.is_clustered() && !body.is_asleep();
+            let counts = after.is_none_or(|after| k > after) && next.is_none_or(|next| k < next);
+            if counts && self.particles.body(k).is_some_and(is_free) {
+                next = Some(k);
+            }
+        });
+        next
     }
 
     /// The event's time becomes the present, which never goes back.
@@ -128,6 +207,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             domain: &self.domain,
             clock: &self.clock,
             parameters: &mut self.parameters,
+            clusters: &mut self.clusters,
             effects,
         };
         resolve::resolve(&mut context, &self.rule, (grain, event))
@@ -184,7 +264,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     #[must_use]
     pub fn next_event_time(&self) -> Option<Instant> {
         let event = self.queue.event(self.queue.first()?);
-        (event.time < S::NEVER).then(|| self.clock.instant_of(event.time))
+        let time = event.time.min(self.clusters.due());
+        (time < S::NEVER).then(|| self.clock.instant_of(time))
     }
 
     /// The present.

@@ -2,7 +2,7 @@
 
 use crate::detect::ScheduledEvent;
 use crate::particle::Body;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, Vector, vector};
 use crate::space::{Link, MAX_PLANES, Plane};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
@@ -21,13 +21,16 @@ pub struct Buffers<'m, S: Scalar, const D: usize> {
     pub heads: &'m mut [u32],
     /// One place for each plane; eight are enough.
     pub planes: &'m mut [Plane<S, D>],
+    /// One vector for each grain: its acceleration in the last step, where contacts last or crowd.
+    pub accelerations: &'m mut [Vector<S, D>],
 }
 
 impl<S: Scalar, const D: usize> Buffers<'_, S, D> {
     /// How many grains fit.
     #[must_use]
     pub fn capacity(&self) -> usize {
-        let lengths = [self.events.len(), self.tree.len(), self.links.len()];
+        let lengths =
+            [self.events.len(), self.tree.len(), self.links.len(), self.accelerations.len()];
         lengths.into_iter().fold(self.bodies.len(), usize::min)
     }
 }
@@ -40,21 +43,23 @@ pub trait Storage<S: Scalar, const D: usize> {
 
 /// The arrays behind [`Buffers`], of whatever type.
 #[derive(Clone, Debug, Default)]
-struct Arrays<B, E, W, L, P> {
+struct Arrays<B, E, W, L, P, V> {
     bodies: B,
     events: E,
     tree: W,
     links: L,
     heads: W,
     planes: P,
+    accelerations: V,
 }
 
-impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P> Arrays<B, E, W, L, P> {
+impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P, V> Arrays<B, E, W, L, P, V> {
     fn buffers<S: Scalar, const D: usize>(&mut self) -> Buffers<'_, S, D>
     where
         B: AsMut<[Body<S, D>]>,
         E: AsMut<[ScheduledEvent<S>]>,
         P: AsMut<[Plane<S, D>]>,
+        V: AsMut<[Vector<S, D>]>,
     {
         Buffers {
             bodies: self.bodies.as_mut(),
@@ -63,12 +68,19 @@ impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P> Arrays<B, E, W, L, P> {
             links: self.links.as_mut(),
             heads: self.heads.as_mut(),
             planes: self.planes.as_mut(),
+            accelerations: self.accelerations.as_mut(),
         }
     }
 }
 
-type InPlace<S, const D: usize, const N: usize, const P: usize> =
-    Arrays<[Body<S, D>; N], [ScheduledEvent<S>; N], [u32; N], [Link; N], [Plane<S, D>; P]>;
+type InPlace<S, const D: usize, const N: usize, const P: usize> = Arrays<
+    [Body<S, D>; N],
+    [ScheduledEvent<S>; N],
+    [u32; N],
+    [Link; N],
+    [Plane<S, D>; P],
+    [Vector<S, D>; N],
+>;
 
 /// Memory for at most `N` grains and `P` planes, owned in place: no allocator.
 ///
@@ -117,6 +129,7 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, 
         links: [Link::VACANT; N],
         heads: [0; N],
         planes: [Plane::VACANT; P],
+        accelerations: [vector([S::ZERO; D]); N],
     });
 }
 
@@ -136,8 +149,14 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Storage<S, D>
 }
 
 #[cfg(feature = "alloc")]
-type OnHeap<S, const D: usize> =
-    Arrays<Vec<Body<S, D>>, Vec<ScheduledEvent<S>>, Vec<u32>, Vec<Link>, Vec<Plane<S, D>>>;
+type OnHeap<S, const D: usize> = Arrays<
+    Vec<Body<S, D>>,
+    Vec<ScheduledEvent<S>>,
+    Vec<u32>,
+    Vec<Link>,
+    Vec<Plane<S, D>>,
+    Vec<Vector<S, D>>,
+>;
 
 /// Memory on the heap, for a number of grains that is known at run time only (feature `alloc`).
 ///
@@ -174,6 +193,7 @@ impl<S: Scalar, const D: usize> HeapMemory<S, D> {
             links: Vec::new(),
             heads: Vec::new(),
             planes: alloc::vec![Plane::VACANT; MAX_PLANES],
+            accelerations: Vec::new(),
         });
         memory.reserve(grains);
         memory
@@ -187,6 +207,7 @@ impl<S: Scalar, const D: usize> HeapMemory<S, D> {
         arrays.events.resize(grains, ScheduledEvent::VACANT);
         arrays.tree.resize(grains, 0);
         arrays.links.resize(grains, Link::VACANT);
+        arrays.accelerations.resize(grains, vector([S::ZERO; D]));
         // Twice as many: a grid cannot use just any number of cells.
         arrays.heads.resize(arrays.heads.len() + 2 * additional, 0);
     }

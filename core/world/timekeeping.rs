@@ -30,6 +30,10 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         if !((due || late) && self.clock.now > S::zero()) {
             return;
         }
+        if self.clusters.count > 0 && self.clusters.time < self.clock.now {
+            // In the middle of a step: after it.
+            return;
+        }
         self.set_clocks_back(self.clock.now.leading_digits());
         self.predict_all();
     }
@@ -50,6 +54,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
                 body.reference_time = if time.is_finite() { time } else { -S::NEVER };
             }
         }
+        self.clusters.time -= back;
         self.clock.set_back(back);
         self.domain.boundary.set_epoch(self.clock.epoch);
     }

@@ -54,11 +54,18 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
         self.clock.instant()
     }
 
-    /// A grain as it is now. While it is in contact its velocity is that of the contact (MP13 §VI.B.2).
+    /// A grain as it is now. While it is in contact its velocity is that of the contact (MP13 §VI.B.2); in
+    /// a cluster it goes on from the last step with the acceleration that it had there.
     #[must_use]
     pub fn grain(&self, index: usize) -> Option<Grain<S, D>> {
         let body = self.particles.body(index)?;
-        let now = flight::at(body, self.domain, self.clock.now);
+        let mut now = flight::at(body, self.domain, self.clock.now);
+        if body.is_clustered() {
+            let span = self.clock.now - body.clock;
+            let beyond = (body.velocity_change - self.domain.gravity()) * span;
+            now.velocity += beyond;
+            now.position += self.domain.boundary.on_lattice(beyond * (span * S::half()));
+        }
         let Body { velocity, radius, mass, material, .. } = now;
         Some(Grain {
             position: self.domain.boundary.wrap(now.position),
@@ -89,6 +96,9 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
     pub fn released(&self, index: usize) -> Option<Grain<S, D>> {
         let mut grain = self.grain(index)?;
         let body = self.particles.body(index)?;
+        if !body.in_contact() {
+            return Some(grain);
+        }
         let plane = body.partner.as_plane().and_then(|p| self.domain.boundary.planes().get(p));
         if let Some(plane) = plane {
             let along = dot(&plane.normal, &grain.velocity);

@@ -7,7 +7,7 @@
 use crate::integrated::Integrated;
 use carom::HeapMemory;
 use carom::law::{Central, Outside, Rule, Soft, Viscoelastic};
-use carom::{Error, Grain, World};
+use carom::{Enduring, Error, Grain, World};
 use carom_reference::{
     self, Boundary, End, EventKind, Exact, ForceLaw, Partner, ReferenceError, System,
 };
@@ -236,6 +236,7 @@ fn errors(
 ) -> Result<Vec<f64>, Error> {
     let mut storage = HeapMemory::with_capacity(grains.len());
     let mut world = World::builder(&mut storage)
+        .enduring(Enduring::Paper)
         .periodic([[0.0, edge()]; 3])
         .rule(rule)
         .grains(grains.iter().copied())?

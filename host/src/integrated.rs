@@ -1,7 +1,7 @@
 //! What does a contact do, without a table? Integrates the contact equation for each impact; writes its outcome.
 
 use carom::Error;
-use carom::law::{Answer, ForceLaw, Impact, Response, Rule};
+use carom::law::{Answer, ContactForce, ForceLaw, Impact, Response, Rule};
 use carom_tables::contact;
 use carom_tables::read::End;
 
@@ -51,5 +51,13 @@ impl<L: ForceLaw<f64>> Rule<f64> for Integrated<L> {
 
     fn check(&self) -> Result<(), Error> {
         self.law.check()
+    }
+
+    fn force(&self, impact: &Impact<f64>, overlap: f64) -> Option<ContactForce<f64>> {
+        Some(self.law.force(impact, overlap))
+    }
+
+    fn contact_time(&self, impact: &Impact<f64>, overlap: f64) -> Option<f64> {
+        Some(self.law.contact_time(impact, overlap))
     }
 }

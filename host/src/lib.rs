@@ -14,6 +14,7 @@ pub mod commands;
 pub mod compare;
 pub mod divergence;
 pub mod figure;
+pub mod heaps;
 pub mod integrated;
 pub mod method;
 pub mod output;

@@ -4,7 +4,7 @@ use carom::law::{Answer, Central, Impact, LinearDashpot, Outcome, Response, Rule
 use carom::law::{Outside, Soft, Viscoelastic};
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::EventOutcome;
-use carom::{Grain, Memory, World};
+use carom::{Enduring, Grain, Memory, World};
 use carom_host::integrated::Integrated;
 use std::cell::Cell;
 
@@ -23,6 +23,7 @@ fn on_the_floor(speed: f64, g: f64) -> Impact<f64> {
     let heard = Cell::new(None);
     let mut memory = Memory::<f64, 2, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([0.0, 1.0], 0.0, Surface::Rule))
         .gravity([0.0, -g])
         .rule(Listener(&heard))
@@ -67,6 +68,7 @@ fn a_pair_is_asked_for_its_reduced_mass_effective_radius_and_both_speeds() {
     let heard = Cell::new(None);
     let mut memory = Memory::<f64, 2, 2>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .rule(Listener(&heard))
         .grain(Grain::with_mass(4.0, 3.0).moving([2.0, 1.0]).of_material(1))
         .unwrap()
@@ -94,6 +96,7 @@ fn a_plate_at_its_top_asks_with_what_is_left_of_the_weight() {
     let plate = Plane::new([0.0, 1.0], 0.0, Surface::Rule);
     let mut memory = Memory::<f64, 2, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(plate.vibrating(Vibration::new(a0, f).starting_at(0.25)))
         .gravity([0.0, -g])
         .rule(Listener(&heard))
@@ -116,6 +119,7 @@ fn a_soft_lid_from_which_gravity_pulls_is_hit_as_a_hard_one() {
         let g = part * radius / 8.0 / (tau * tau);
         let mut memory = Memory::<f64, 1, 1>::new();
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .plane(Plane::new([-1.0], -1.0, Surface::Rule))
             .gravity([-g])
             .rule(Integrated::new(LinearDashpot { stiffness, damping: 0.0 }))

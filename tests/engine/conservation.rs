@@ -3,7 +3,7 @@
 use crate::gas::{elastic_spring, gas, length, rubber};
 use carom::HeapMemory;
 use carom::law::{HardSphere, Outside, Rule, Soft};
-use carom::{Release, Scalar, World};
+use carom::{Enduring, Release, Scalar, World};
 use proptest::prelude::*;
 
 const HARD: HardSphere<f64> = HardSphere { restitution: 1.0 };
@@ -16,6 +16,7 @@ const HARD: HardSphere<f64> = HardSphere { restitution: 1.0 };
 fn drift(rule: impl Rule<f64>, events: u64) -> (f64, f64) {
     let mut storage = HeapMemory::with_capacity(50);
     let mut world = World::builder(&mut storage)
+        .enduring(Enduring::Paper)
         .periodic([[0.0, 8.0]; 3])
         .rule(rule)
         .grains(gas::<f64, 3>(50, 7, 8.0, [0.2, 0.3]))
@@ -89,6 +90,7 @@ fn angular_momentum(release: Release, seed: u64) -> (f64, u64) {
         Outside::Clamp,
     );
     let mut world = World::builder(&mut storage)
+        .enduring(Enduring::Paper)
         .release(release)
         .rule(soft)
         .grains(grains)
@@ -130,6 +132,7 @@ fn trend<S: Scalar>(rule: impl Rule<S>, radius: f64, seed: u64) -> f64 {
     grains.iter_mut().for_each(|grain| grain.radius = S::from_f64(radius));
     let mut storage = HeapMemory::with_capacity(50);
     let mut world = World::builder(&mut storage)
+        .enduring(Enduring::Paper)
         .periodic([[S::zero(), S::from_f64(side)]; 2])
         .rule(rule)
         .grains(grains)
@@ -171,7 +174,7 @@ proptest! {
     #[test]
     fn dissipation_never_adds_energy(seed in 0_u64..1000, epsilon in 0.1..1.0_f64) {
         let mut storage = HeapMemory::with_capacity(20);
-        let mut world = World::builder(&mut storage)
+        let mut world = World::builder(&mut storage).enduring(Enduring::Paper)
             .hard_walls([[0.0, 6.0]; 2], 1.0)
             .rule(HardSphere { restitution: epsilon })
             .grains(gas::<f64, 2>(20, seed, 6.0, [0.2, 0.4])).unwrap()
@@ -188,7 +191,7 @@ proptest! {
     #[test]
     fn viscoelastic_contacts_lose_energy_and_keep_momentum(seed in 0_u64..1000) {
         let mut storage = HeapMemory::with_capacity(20);
-        let mut world = World::builder(&mut storage)
+        let mut world = World::builder(&mut storage).enduring(Enduring::Paper)
             .periodic([[0.0, 6.0]; 2])
             .rule(Soft::viscoelastic(rubber(), Outside::HardSphere))
             .grains(gas::<f64, 2>(20, seed, 6.0, [0.2, 0.4])).unwrap()

@@ -3,7 +3,7 @@
 use carom::law::HardSphere;
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::Snapshot;
-use carom::{Grain, Memory, World};
+use carom::{Enduring, Grain, Memory, World};
 
 const G: f64 = 9.81;
 
@@ -16,6 +16,7 @@ fn a_grain_in_a_groove_comes_to_rest_at_its_bottom() {
         let hard = Surface::Hard(restitution);
         let mut memory = Memory::<f64, 2, 1>::new();
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .gravity([0.0, -G])
             .plane(Plane::new([-s, c], 0.0, hard))
             .plane(Plane::new([s, c], 0.0, hard))
@@ -38,6 +39,7 @@ fn a_grain_in_a_groove_comes_to_rest_at_its_bottom() {
 fn a_rider_that_touches_a_wall_is_left_alone() {
     let mut memory = Memory::<f64, 2, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .gravity([0.0, -G])
         .plane(
             Plane::new([0.0, 1.0], 0.0, Surface::Hard(0.0)).vibrating(Vibration::new(5e-4, 20.0)),
@@ -61,6 +63,7 @@ fn a_grain_between_two_plates_obeys_both() {
     let hard = Surface::Hard(0.0);
     let mut memory = Memory::<f64, 2, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .gravity([0.0, -G])
         .plane(Plane::new([0.0, 1.0], 0.0, hard).vibrating(floor))
         .plane(Plane::new([1.0, 0.0], 0.0, hard).vibrating(side))
@@ -88,6 +91,7 @@ fn a_snapshot_keeps_the_phase_of_its_plates() {
     let rule = HardSphere { restitution: 0.9 };
     let mut memory = Memory::<f64, 1, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(plane)
         .gravity([-G])
         .rule(rule)
@@ -120,6 +124,7 @@ fn a_grain_slides_along_an_almost_square_trough_and_keeps_to_both_sides() {
         let y = (1.0 - lean) / sides[1][1];
         let mut memory = Memory::<f64, 3, 1>::new();
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .gravity([-6.0, -8.0, 3.0])
             .plane(a)
             .plane(b)

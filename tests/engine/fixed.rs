@@ -5,7 +5,7 @@ use carom::law::embedded::{Standard, TableSet};
 use carom::law::{HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
 use carom::scalar::{I16F16, I32F32, Real, TimeSpan, Vector};
 use carom::space::{Plane, Surface, Vibration};
-use carom::{Grain, Memory, Scalar, View, World};
+use carom::{Enduring, Grain, Memory, Scalar, View, World};
 use proptest::prelude::*;
 
 /// Half a step of I32F32.
@@ -61,6 +61,7 @@ fn momentum<S: Scalar, const D: usize>(view: View<'_, S, D>) -> [f64; D] {
 fn gas<S: Scalar>(rule: impl Rule<S>, events: u32) -> (f64, f64) {
     let mut memory = Memory::<S, 3, 27>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .periodic([[n(0.0), n(9.6)]; 3])
         .rule(rule)
         .grains(lattice(27, 3, 0.5))
@@ -94,6 +95,7 @@ fn a_hard_elastic_gas_keeps_energy_and_momentum_to_the_steps_of_the_number() {
 fn elastic_contacts_keep_energy_but_for_pairs_that_overlap() {
     let mut memory = Memory::<I32F32, 3, 27>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .periodic([[n(0.0), n(9.6)]; 3])
         .rule(Soft::linear_dashpot(spring(0.0), Outside::HardSphere))
         .grains(lattice(27, 3, 0.5))
@@ -133,6 +135,7 @@ fn soft_gases_run_and_keep_momentum() {
 fn boxed<S: Scalar>(rule: impl Rule<S>, events: u32) -> (f64, f64, u64) {
     let mut memory = Memory::<S, 2, 16>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .walls([[n(0.0), n(13.0)]; 2])
         .gravity([n(0.001), n(-0.00981)])
         .rule(rule)
@@ -196,6 +199,7 @@ where
     };
     let mut memory = Memory::<S, 2, 2>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .rule(Soft::viscoelastic(rubber(), Outside::Reject))
         .grain(grain(sign))
         .unwrap()
@@ -233,6 +237,7 @@ fn a_column_on_a_vibrating_plate_runs() {
     let grains =
         (0..6).map(|i| Grain::with_mass(n(1.0), n(10.0)).at([n(2.0 + 2.2 * f64::from(i))]));
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(plate)
         .gravity([n(-0.00981)])
         .rule(HardSphere { restitution: n(0.9) })

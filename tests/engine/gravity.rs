@@ -2,12 +2,13 @@
 
 use crate::gas::gas;
 use carom::law::HardSphere;
-use carom::{Grain, HeapMemory, World};
+use carom::{Enduring, Grain, HeapMemory, World};
 
 /// A box of falling grains that began with one gravity and was given another before anything happened.
 fn settled(start: [f64; 2], gravity: [f64; 2]) -> (Vec<Grain<f64, 2>>, u64) {
     let mut storage = HeapMemory::with_capacity(24);
     let mut world = World::builder(&mut storage)
+        .enduring(Enduring::Paper)
         .hard_walls([[0.0, 3.1]; 2], 0.5)
         .gravity(start)
         .rule(HardSphere { restitution: 0.6 })

@@ -3,7 +3,7 @@
 use carom::law::LinearDashpot;
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::EventOutcome;
-use carom::{Grain, Memory, World};
+use carom::{Enduring, Grain, Memory, World};
 use carom_host::integrated::Integrated;
 
 /// A head-on contact begins at t = 1; a third grain comes to it after `part` of its duration. When it ends
@@ -16,6 +16,7 @@ fn interrupted(part: f64) -> (f64, [u64; 2]) {
     let touched = 2.0 + 0.5 * (arrival - 1.0) + 1.0 + arrival;
     let mut memory = Memory::<f64, 1, 3>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .rule(Integrated::new(law))
         .grain(Grain::with_mass(0.5, 2.0).moving([1.0]))
         .unwrap()
@@ -53,7 +54,10 @@ fn who_comes_in_the_first_64th_of_a_contact_waits_and_is_counted() {
 fn waited(speed: f64, g: f64, plate: Option<Vibration<f64>>) -> f64 {
     let law = LinearDashpot { stiffness: 1.0e4, damping: 0.0 };
     let mut memory = Memory::<f64, 1, 3>::new();
-    let mut builder = World::builder(&mut memory).gravity([g]).rule(Integrated::new(law));
+    let mut builder = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
+        .gravity([g])
+        .rule(Integrated::new(law));
     if let Some(plate) = plate {
         builder = builder.plane(Plane::new([1.0], -1e3, Surface::Hard(1.0)).vibrating(plate));
     }
@@ -94,6 +98,7 @@ fn a_wall_waits_as_long_as_a_grain() {
         let wall = 2.5 + 0.5 * part * duration;
         let mut memory = Memory::<f64, 1, 2>::new();
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .plane(Plane::new([-1.0], -wall, Surface::Hard(1.0)))
             .rule(Integrated::new(law))
             .grain(Grain::with_mass(0.5, 2.0).moving([1.0]))

@@ -3,7 +3,7 @@
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft};
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::{EventKind, EventOutcome};
-use carom::{Grain, Memory, World};
+use carom::{Enduring, Grain, Memory, World};
 
 const G: f64 = 8.0;
 
@@ -11,6 +11,7 @@ const G: f64 = 8.0;
 fn hits(t_c: f64) -> u64 {
     let mut memory = Memory::<f64, 1, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0], 0.0, Surface::Hard(0.5)))
         .gravity([-G])
         .tc(t_c)
@@ -41,6 +42,7 @@ fn a_grain_that_would_be_back_within_t_c_lies_still() {
 fn a_grain_without_speed_lies_on_an_elastic_floor() {
     let mut memory = Memory::<f64, 1, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0], 0.0, Surface::Hard(1.0)))
         .gravity([-G])
         .rule(HardSphere { restitution: 1.0 })
@@ -61,6 +63,7 @@ fn a_hop_shorter_than_a_soft_contact_is_none() {
         let speed = part * contact * G / 2.0;
         let mut memory = Memory::<f64, 1, 1>::new();
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .plane(Plane::new([1.0], 0.0, Surface::Rule))
             .gravity([-G])
             .rule(Soft::linear_dashpot(law, Outside::Reject))
@@ -82,6 +85,7 @@ fn a_collision_soon_after_the_last_of_either_grain_is_elastic() {
         let grain = |x: f64, v: f64| Grain::with_mass(0.5, 1.0).at([x]).moving([v]);
         // The middle one is hit at t = 1, goes on with 3/4 and is at the third, 3/16 away, a quarter later.
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .tc(t_c)
             .rule(HardSphere { restitution: 0.5 })
             .grains([grain(-2.0, 1.0), grain(0.0, 0.0), grain(1.1875, 0.0)])
@@ -106,6 +110,7 @@ fn a_plate_that_starts_downwards_is_left_half_a_turn_later() {
     let a0 = alpha * G / (omega * omega);
     let mut memory = Memory::<f64, 1, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0], 0.0, Surface::Hard(0.0)).vibrating(Vibration::new(-a0, f)))
         .gravity([-G])
         .rule(HardSphere { restitution: 0.0 })
@@ -141,6 +146,7 @@ fn a_falling_grain_meets_a_rider_where_parabola_and_sine_cross() {
             let mut memory = Memory::<f64, 1, 2>::new();
             let plate = Plane::new([1.0], 0.0, Surface::Hard(0.0));
             let mut world = World::builder(&mut memory)
+                .enduring(Enduring::Paper)
                 .plane(plate.vibrating(Vibration::new(a0, f)))
                 .gravity([-G])
                 .rule(HardSphere { restitution: 0.5 })

@@ -2,6 +2,7 @@
 
 mod advance;
 mod asked;
+mod clusters;
 mod conservation;
 mod contact;
 mod corners;
@@ -9,6 +10,7 @@ mod errors;
 mod fixed;
 mod gas;
 mod gravity;
+mod heaps;
 mod interruption;
 mod landing;
 mod neighbours;

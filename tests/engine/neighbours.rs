@@ -3,7 +3,7 @@
 use super::gas::{damped_spring, elastic_spring, gas, rubber};
 use carom::law::{HardSphere, Outside, Rule, Soft};
 use carom::space::{Plane, Surface, Vibration};
-use carom::{Grain, HeapMemory, Scalar, World};
+use carom::{Enduring, Grain, HeapMemory, Scalar, World};
 
 /// A scene in which neighbours can be found in different ways.
 struct Scene<S: Scalar, const D: usize> {
@@ -80,6 +80,7 @@ fn shaken<const D: usize>(heads: usize, (epsilon, seed): (f64, u64)) -> Vec<u64>
     up[D - 1] = 1.0;
     let plate = Plane::new(up, 0.0, Surface::Hard(epsilon)).vibrating(Vibration::new(0.1e-3, 60.0));
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .hard_walls(sides, epsilon)
         .plane(plate)
         .gravity(up.map(|n| -9.81 * n))

@@ -3,7 +3,7 @@
 use crate::rest::at_rest;
 use carom::law::{HardSphere, Outside, Soft, Viscoelastic};
 use carom::space::{Plane, Surface};
-use carom::{Grain, Memory, Scalar, World};
+use carom::{Enduring, Grain, Memory, Scalar, World};
 
 const G: f64 = 9.81;
 
@@ -27,6 +27,7 @@ fn pile<const D: usize, const N: usize>(epsilon: f64, row: usize) {
     let mut gravity = [0.0; D];
     gravity[D - 1] = -G;
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .hard_walls(sides, epsilon)
         .gravity(gravity)
         .rule(HardSphere { restitution: epsilon })
@@ -77,6 +78,7 @@ fn shot_away<S: Scalar>(cases: u32) {
         let mut memory = Memory::<S, 2, 3>::new();
         let grain = Grain::sphere(s(R), s(2500.0));
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .gravity([s(0.0), s(-9.81)])
             .plane(Plane::new([s(0.0), s(1.0)], s(0.0), Surface::Hard(epsilon)))
             .rule(HardSphere { restitution: epsilon })
@@ -116,6 +118,7 @@ fn a_heap_of_soft_grains_settles() {
     });
     let mut memory = Memory::<f64, 2, N>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .gravity([0.0, -G])
         .rule(Soft::viscoelastic(rubber, Outside::HardSphere))
         .plane(Plane::new([0.0, 1.0], 0.0, Surface::Rule))
@@ -152,6 +155,7 @@ fn only_lossy_grains_come_to_rest_on_an_elastic_floor() {
             Grain::with_mass(radius, radius * radius).at(at).moving(velocity)
         });
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .gravity([0.0, -G])
             .rule(HardSphere { restitution: epsilon })
             .plane(Plane::new([0.0, 1.0], 0.0, Surface::Hard(1.0)))

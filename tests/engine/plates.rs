@@ -3,7 +3,7 @@
 use carom::law::{Answer, Impact, Rule};
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft};
 use carom::space::{Plane, Surface, Vibration};
-use carom::{Error, Grain, HeapMemory, Memory, World};
+use carom::{Enduring, Error, Grain, HeapMemory, Memory, World};
 use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -80,6 +80,7 @@ fn impacts<const D: usize>(case: &Case, most: u64) -> Result<u64, Error> {
     let mut memory = Memory::<f64, D, 4>::new();
     let radius = 0.01;
     let mut builder = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new(normal, 0.0, surface).vibrating(shaker))
         .gravity(gravity)
         .rule(rule);
@@ -173,7 +174,7 @@ proptest! {
         let a0 = alpha * G / (omega * omega);
         let mut memory = Memory::<f64, 1, 1>::new();
         let plate = Plane::new([1.0], 0.0, Surface::Hard(0.0)).vibrating(Vibration::new(a0, f));
-        let mut world = World::builder(&mut memory)
+        let mut world = World::builder(&mut memory).enduring(Enduring::Paper)
             .plane(plate)
             .gravity([-G])
             .rule(HardSphere { restitution: 0.0 })
@@ -196,6 +197,7 @@ fn crush(restitution: f64, others: usize) -> Option<Error> {
     let mut memory = HeapMemory::<f64, 2>::with_capacity(others + 1);
     let hard = Surface::Hard(restitution);
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0, 0.0], 0.0, hard).vibrating(Vibration::new(0.5, 1.0)))
         .plane(Plane::new([-1.0, 0.0], -1.25, hard))
         .rule(HardSphere { restitution })
@@ -241,6 +243,7 @@ fn no_bead_of_a_thrown_column_falls_through_its_plate() {
     let radius = 0.5e-3;
     let plate = Vibration::new(1.0e-2, 20.0); // 16 g: the beads fly through many cells
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .gravity([-G])
         .plane(Plane::new([1.0], 0.0, Surface::Hard(0.9)).vibrating(plate))
         .rule(HardSphere { restitution: 0.9 })

@@ -3,7 +3,7 @@
 use carom::law::{HardSphere, LinearDashpot, Outside, Soft};
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::View;
-use carom::{Grain, Memory, Scalar, World};
+use carom::{Enduring, Grain, Memory, Scalar, World};
 
 const G: f64 = 9.81;
 
@@ -16,6 +16,7 @@ fn ball<S: Scalar>(epsilon: f64, tolerance: f64) {
     let s = S::from_f64;
     let mut memory = Memory::<S, 1, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .hard_walls([[s(0.0), s(100.0)]], s(epsilon))
         .gravity([s(-10.0)])
         .rule(HardSphere { restitution: S::one() })
@@ -50,6 +51,7 @@ fn column(epsilon: f64, gap: f64) -> Memory<f64, 1, 10> {
     let grains =
         (0..10).map(|i| Grain::with_mass(0.5, 1.0).at([0.5 + 0.3 + f64::from(i) * (1.0 + gap)]));
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0], 0.0, Surface::Hard(epsilon)))
         .gravity([-G])
         .rule(HardSphere { restitution: epsilon })
@@ -82,6 +84,7 @@ fn a_column_at_rest_wakes_when_it_is_hit_and_rests_again() {
     let mut memory = Memory::<f64, 1, 4>::new();
     let at = |x: f64| Grain::with_mass(0.5, 1.0).at([x]);
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0], 0.0, Surface::Hard(0.5)))
         .gravity([-G])
         .rule(HardSphere { restitution: 0.7 })
@@ -110,6 +113,7 @@ fn grains_leave_a_plate_that_falls_away_faster_than_they_do() {
     let grains = (0..5).map(|i| Grain::with_mass(0.5, 1.0).at([0.5 + f64::from(i)]));
     let plate = Plane::new([1.0], 0.0, Surface::Hard(0.5)).vibrating(Vibration::new(a0, f));
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(plate)
         .gravity([-G])
         .rule(HardSphere { restitution: 0.5 })
@@ -157,6 +161,7 @@ fn an_event_driven_column_loses_what_luding_found() {
         let mut memory = Memory::<f64, 1, 10>::new();
         let grain = |i| Grain::with_mass(0.5e-3, 1.0).at([0.5e-3 + f64::from(i) * (1e-3 + gap)]);
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .plane(Plane::new([1.0], 0.0, Surface::Hard(wall)))
             .rule(HardSphere { restitution: 0.9 })
             .grains((0..10).map(|i| grain(i).moving([-0.2])))
@@ -177,6 +182,7 @@ fn soft_grains_come_to_rest() {
     let mut memory = Memory::<f64, 1, 3>::new();
     let grains = (0..3).map(|i| Grain::with_mass(0.05, 1.0).at([0.06 + f64::from(i) * 0.11]));
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0], 0.0, Surface::Rule))
         .gravity([-G])
         .rule(Soft::linear_dashpot(law, Outside::HardSphere))
@@ -195,6 +201,7 @@ fn a_collapse_in_free_space_ends() {
         let mut memory = Memory::<f64, 1, 3>::new();
         let at = |x: f64, v: f64| Grain::with_mass(0.5, 1.0).at([x]).moving([v]);
         let mut world = World::builder(&mut memory)
+            .enduring(Enduring::Paper)
             .rule(HardSphere { restitution: epsilon })
             .grains([at(0.0, 1.0), at(2.0, 0.0), at(4.0, -1.0)])
             .unwrap()

@@ -119,7 +119,8 @@ impl Storage<f64, 1> for ShortSlice {
             0 => lent.bodies = &mut lent.bodies[..1],
             1 => lent.events = &mut lent.events[..1],
             2 => lent.tree = &mut lent.tree[..1],
-            _ => lent.links = &mut lent.links[..1],
+            3 => lent.links = &mut lent.links[..1],
+            _ => lent.accelerations = &mut lent.accelerations[..1],
         }
         lent
     }
@@ -127,7 +128,7 @@ impl Storage<f64, 1> for ShortSlice {
 
 #[test]
 fn a_short_slice_is_a_full_memory() {
-    for short in 0..4 {
+    for short in 0..5 {
         let mut memory = ShortSlice { memory: HeapMemory::with_capacity(2), short };
         let builder = World::builder(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
         let second = builder.grain(Grain::with_mass(0.5, 1.0).at([2.0]));

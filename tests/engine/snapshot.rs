@@ -6,13 +6,14 @@ use carom::law::{HardSphere, Outside, Soft};
 use carom::particle::Body;
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::{ScheduledEvent, Snapshot, Statistics};
-use carom::{Grain, Memory, World};
+use carom::{Enduring, Grain, Memory, World};
 
 #[test]
 fn a_snapshot_goes_on_with_the_same_bits() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
     let mut storage = HeapMemory::with_capacity(20);
     let mut world = World::builder(&mut storage)
+        .enduring(Enduring::Paper)
         .walls([[0.0, 5.0]; 2])
         .gravity([0.0, -0.1])
         .rule(rule)
@@ -45,6 +46,7 @@ fn a_snapshot_that_is_not_one_is_refused() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
     let mut storage = HeapMemory::with_capacity(2);
     let world = World::builder(&mut storage)
+        .enduring(Enduring::Paper)
         .rule(rule)
         .grains(gas::<f64, 2>(2, 1, 5.0, [0.2, 0.4]))
         .unwrap()
@@ -72,6 +74,7 @@ fn statistics_decide_nothing() {
     let rule = HardSphere { restitution: 0.6 };
     let mut storage = HeapMemory::with_capacity(24);
     let mut world = World::builder(&mut storage)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0, 0.0], 0.0, Surface::Hard(0.5)))
         .plane(Plane::new([-1.0, 0.0], -3.1, Surface::Hard(0.5)))
         .plane(Plane::new([0.0, 1.0], 0.0, Surface::Hard(1.0)))
@@ -107,6 +110,7 @@ fn a_restored_world_is_stuck_when_the_other_is() {
     let rule = HardSphere { restitution: 0.5 };
     let mut memory = Memory::<f64, 1, 2>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0], 0.0, Surface::Hard(0.5)).vibrating(Vibration::new(0.5, 1.0)))
         .plane(Plane::new([-1.0], -2.25, Surface::Hard(0.5)))
         .rule(rule)

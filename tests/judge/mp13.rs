@@ -2,7 +2,7 @@
 
 use carom::HeapMemory;
 use carom::law::{Outside, Soft, Viscoelastic};
-use carom::{Grain, World};
+use carom::{Enduring, Grain, World};
 use carom_host::figure::fit;
 use carom_host::figure::hard::pressure;
 use carom_host::figure::mp13::gas::{POISSON, SoftGas};
@@ -30,7 +30,8 @@ fn a_contact_adds_its_virial() {
     let mut storage = HeapMemory::<f64, 3>::with_capacity(2);
     let half = 0.5 * SIDE;
     let grain = |(r, v)| Grain::with_mass(RADIUS, MASS).at(r).moving(v);
-    let builder = World::builder(&mut storage).periodic([[-half, half]; 3]);
+    let builder =
+        World::builder(&mut storage).enduring(Enduring::Paper).periodic([[-half, half]; 3]);
     let rule = Soft::viscoelastic(law, Outside::Reject);
     let mut world = builder.rule(rule).grains(STARTS.map(grain)).unwrap().start().unwrap();
     let (energy, mut flux) = (world.view().kinetic_energy(), Flux::default());

@@ -10,8 +10,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The rooms of the core, from the lowest to the highest.
-const ROOMS: [&str; 9] =
-    ["scalar", "particle", "error", "space", "law", "detect", "schedule", "resolve", "world"];
+const ROOMS: [&str; 10] = [
+    "scalar", "particle", "error", "space", "law", "detect", "schedule", "cluster", "resolve",
+    "world",
+];
 
 /// Where the crates' sources are.
 const SOURCES: [&str; 6] = [

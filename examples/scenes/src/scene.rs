@@ -5,7 +5,7 @@ use carom::law::embedded::{Compact, Standard, TableSet, wide};
 use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic};
 use carom::scalar::I32F32;
 use carom::space::{Plane, Surface, Vibration};
-use carom::{Error, Grain, Scalar, Storage, World};
+use carom::{Enduring, Error, Grain, Scalar, Storage, World};
 
 /// The scenes that every target replays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,6 +115,7 @@ pub fn fig6<S: Number>(
     let law = LinearDashpot { stiffness: n(2000.0), damping: n(0.0) };
     let pair = |at, moving| Grain::with_mass(n(0.1), n(4.775_220_8)).at(v(at)).moving(v(moving));
     World::builder(memory)
+        .enduring(Enduring::Paper)
         .periodic([v([-0.5, 0.5]); 2])
         .rule(Soft::with_table(law, &wide::LINEAR_DASHPOT, Outside::Clamp))
         .grain(pair([0.0175, -0.120_393_92], [1.25, 2.5]))?
@@ -135,6 +136,7 @@ pub fn box16<S: Number>(
         grain(0.7 + 0.04 * odd, at, [0.02 * (odd - 7.5), 0.03 * (column - row)])
     };
     World::builder(memory)
+        .enduring(Enduring::Paper)
         .walls([v([0.0, 12.0]); 2])
         .gravity(v([0.0, -GRAVITY]))
         .rule(rubber(S::standard()))
@@ -169,6 +171,7 @@ pub fn gas32<S: Number>(
         grain(1.0, at, [5, 11, 3].map(|prime| 0.02 * (f64::from(k * prime % 32) - 15.5)))
     };
     World::builder(memory)
+        .enduring(Enduring::Paper)
         .periodic([v([0.0, 16.0]); 3])
         .rule(Soft::with_table(law, S::standard(), Outside::HardSphere))
         .grains((0..32).map(site))?
@@ -186,6 +189,7 @@ pub fn column10<S: Number>(
     let plate = Plane::new(v([1.0]), n(0.0), Surface::Rule);
     let bead = |k: u32| grain(1.0, [1.5 + 2.25 * f64::from(k)], [0.0]);
     World::builder(memory)
+        .enduring(Enduring::Paper)
         .plane(plate.vibrating(Vibration::new(n(1.0), n(0.025))))
         .gravity(v([-GRAVITY]))
         .rule(Soft::with_table(law, S::standard_dashpot(), Outside::HardSphere))

@@ -2,7 +2,7 @@
 
 use carom::law::embedded::read::Table;
 use carom::law::{Outside, Rule, Soft, Viscoelastic};
-use carom::{Error, Grain, Instant, Memory, Scalar, Storage, World};
+use carom::{Enduring, Error, Grain, Instant, Memory, Scalar, Storage, World};
 
 use crate::scene::{GRAVITY, Number, Rubber, n};
 
@@ -95,6 +95,7 @@ pub fn tilt_box_begun<'m, S: Number>(
         grain
     };
     World::builder(memory)
+        .enduring(Enduring::Paper)
         .walls([[S::zero(), S::from_count(SIDE)]; 2])
         .gravity(accelerometer(0))
         .rule(glass(table))

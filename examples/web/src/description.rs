@@ -2,7 +2,7 @@
 
 use crate::rule::{ChosenRule, Material};
 use carom::space::{MAX_PLANES, Plane, Surface, Vibration};
-use carom::{Error, Grain, Memory, World};
+use carom::{Enduring, Error, Grain, Memory, World};
 
 /// The dimension of this module's worlds.
 pub const D: usize = if cfg!(feature = "line") {
@@ -53,8 +53,11 @@ impl Description {
         memory: &'static mut Memory<f64, D, MAX_GRAINS>,
         grains: &[[f64; GRAIN_FIELDS]],
     ) -> Result<World<'static, f64, D, ChosenRule>, Error> {
-        let mut builder =
-            World::builder(memory).gravity(first(&self.gravity)).tc(self.t_c).rule(self.rule);
+        let mut builder = World::builder(memory)
+            .enduring(Enduring::Paper)
+            .gravity(first(&self.gravity))
+            .tc(self.t_c)
+            .rule(self.rule);
         for wall in &self.planes {
             builder = builder.plane(plane(wall));
         }

@@ -8,7 +8,8 @@ use carom::law::embedded::{
     standard,
 };
 use carom::law::{
-    Answer, Central, HardSphere, Impact, LinearDashpot, Outside, Response, Rule, Soft, Viscoelastic,
+    Answer, Central, ContactForce, HardSphere, Impact, LinearDashpot, Outside, Response, Rule,
+    Soft, Viscoelastic,
 };
 use core::sync::atomic::{AtomicU64, Ordering};
 
@@ -85,5 +86,13 @@ impl<L: ForceLaw<f64>> Rule<f64> for TableOrIntegrated<L> {
         let scales = self.law.scales(impact);
         let scaled = integrate::contact(L::LAW == Law::LinearDashpot, &impact.groups(&scales));
         Answer::exact(Response::Lasting(scales.outcome(&scaled)))
+    }
+
+    fn force(&self, impact: &Impact<f64>, overlap: f64) -> Option<ContactForce<f64>> {
+        Some(self.law.force(impact, overlap))
+    }
+
+    fn contact_time(&self, impact: &Impact<f64>, overlap: f64) -> Option<f64> {
+        Some(self.law.contact_time(impact, overlap))
     }
 }

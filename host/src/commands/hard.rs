@@ -2,6 +2,7 @@
 
 use crate::figure::hard::pressure::{self, Mean, Plan};
 use crate::figure::hard::{Fluid, Overlaps, Run, RunState, measure};
+use crate::heaps::Number;
 use crate::progress::Progress;
 use anyhow::{Result, ensure};
 use clap::Args;
@@ -146,6 +147,13 @@ fn print(out: &mut impl Write, rows: &[Row]) -> Result<()> {
 /// The options of `carom soak`.
 #[derive(Args, Debug)]
 pub struct SoakOptions {
+    /// In place of the gas: draw so many boxes of up to 200 grains from the seed on, let them fall, shake
+    /// and settle, and check each.
+    #[arg(long, value_name = "BOXES", conflicts_with_all = ["collisions", "restitution", "grains", "density"])]
+    heaps: Option<u64>,
+    /// What the boxes are computed in.
+    #[arg(long, value_enum, default_value_t, requires = "heaps")]
+    number: Number,
     /// How many collisions.
     #[arg(long, default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
     collisions: u64,
@@ -158,7 +166,7 @@ pub struct SoakOptions {
     /// Number density N σ³/V.
     #[arg(long, default_value_t = 0.5)]
     density: f64,
-    /// Seed of the velocities.
+    /// Seed of the velocities; of the first box.
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }
@@ -180,7 +188,10 @@ const LINES: u64 = 10;
 /// # Errors
 /// An error of the engine, or a broken invariant.
 pub fn soak(options: &SoakOptions) -> Result<()> {
-    let SoakOptions { collisions, restitution, grains, density, seed } = *options;
+    let SoakOptions { heaps, number, collisions, restitution, grains, density, seed } = *options;
+    if let Some(boxes) = heaps {
+        return super::heaps::soak(boxes, seed, number);
+    }
     let fluid = Fluid { restitution, seed, ..Fluid::elastic(grains as usize, density) };
     let mut out = std::io::stdout().lock();
     writeln!(out, "{grains} hard spheres, density {density}, restitution {restitution}")?;

@@ -4,6 +4,7 @@ pub mod bench;
 pub mod compare;
 pub mod figure;
 pub mod hard;
+mod heaps;
 pub mod run;
 pub mod sweep;
 pub mod table;

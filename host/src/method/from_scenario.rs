@@ -3,7 +3,7 @@
 use super::implementations::{EventDriven, ForceBased, Method};
 use crate::integrated::Integrated;
 use crate::scenario::{
-    LawSpec, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side, Start,
+    EnduringSpec, LawSpec, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side, Start,
 };
 use crate::tables::embedded;
 use anyhow::{Context, Result, bail};
@@ -11,7 +11,7 @@ use carom::HeapMemory;
 use carom::law::{Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::WorldBuilder;
-use carom::{Grain, Release, World};
+use carom::{Enduring, Grain, Release, World};
 use carom_reference::{Exact, Plate, Verlet, VerletOptions};
 use carom_tables::read::Law;
 
@@ -80,6 +80,7 @@ fn with_world<const D: usize, T>(
     let rule = rule(name, scenario)?;
     let mut storage = HeapMemory::<f64, D>::with_capacity(start.grains.len());
     let builder = World::builder(&mut storage).gravity(first(&start.gravity));
+    let builder = builder.enduring(enduring(scenario));
     let builder =
         enclose(builder.release(release(scenario)).tc(scenario.options.tc), start).rule(&*rule);
     let grains = start.grains.iter().map(|grain| {
@@ -89,6 +90,13 @@ fn with_world<const D: usize, T>(
     });
     let world = builder.grains(grains).and_then(WorldBuilder::start)?;
     work(&mut EventDriven::new(world, name, scenario.options.events))
+}
+
+fn enduring(scenario: &Scenario) -> Enduring {
+    match scenario.options.enduring {
+        EnduringSpec::Paper => Enduring::Paper,
+        EnduringSpec::Integrated => Enduring::Integrated,
+    }
 }
 
 fn release(scenario: &Scenario) -> Release {

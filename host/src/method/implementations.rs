@@ -131,6 +131,8 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             ("within_tc", c.within_tc),
             ("collapses", c.collapses),
             ("supported_collisions", c.supported_collisions),
+            ("joins", c.joins),
+            ("steps", c.steps),
             ("reordered", c.reordered),
             ("stale", c.stale),
             ("cell_crossings", c.cell_crossings),

@@ -7,7 +7,7 @@ mod start;
 
 pub use place::{Placed, Side};
 pub use spec::{
-    Gas, GrainSpec, LawSpec, MatrixSpec, MethodName, Options, OutsideSpec, RadiusSpec, ReleaseSpec,
-    Scenario, SideSpec, Sides, SurfaceSpec,
+    EnduringSpec, Gas, GrainSpec, LawSpec, MatrixSpec, MethodName, Options, OutsideSpec,
+    RadiusSpec, ReleaseSpec, Scenario, SideSpec, Sides, SurfaceSpec,
 };
 pub use start::{Start, touching};

@@ -213,7 +213,9 @@ pub enum LawSpec {
 pub struct Options {
     /// What to do with a collision outside the table's domain.
     pub outside: OutsideSpec,
-    /// How a contact ends when a third grain interrupts it.
+    /// What becomes of contacts that last or crowd.
+    pub enduring: EnduringSpec,
+    /// How a contact ends when a third grain interrupts it, with `enduring = "paper"`.
     pub release: ReleaseSpec,
     /// Where the matrix of restitution comes from.
     pub matrix: MatrixSpec,
@@ -231,6 +233,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             outside: OutsideSpec::HardSphere,
+            enduring: EnduringSpec::Integrated,
             release: ReleaseSpec::Paired,
             matrix: MatrixSpec::Table,
             table: crate::tables::Size::Standard,
@@ -251,6 +254,16 @@ pub enum OutsideSpec {
     Clamp,
     /// Use the hard-sphere rule.
     HardSphere,
+}
+
+/// See [`carom::Enduring`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EnduringSpec {
+    /// As in the papers.
+    Paper,
+    /// Integrated.
+    Integrated,
 }
 
 /// See [`carom::Release`].

@@ -7,7 +7,7 @@ use super::run::run_world;
 use carom::law::Rule;
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::{NoRule, WorldBuilder};
-use carom::{Error, Grain, Memory, Release, Scalar, World};
+use carom::{Enduring, Error, Grain, Memory, Release, Scalar, World};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -40,7 +40,8 @@ where
     let DrawnRule { rule, energy_gain } = rule::rule::<S>(input);
     let sites = Sites::new(input);
     let mut memory = Box::new(FuzzMemory::<S, D>::new());
-    let mut builder = World::builder(&mut *memory);
+    // What is checked holds there to rounding; `carom soak --heaps` checks the default.
+    let mut builder = World::builder(&mut *memory).enduring(Enduring::Paper);
     for axis in 0..D {
         builder = side(builder, input, axis, &sites);
     }

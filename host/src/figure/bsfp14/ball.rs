@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use anyhow::Result;
 use carom::detect::root;
 use carom::law::HardSphere;
-use carom::{Error, Grain, Memory, World};
+use carom::{Enduring, Error, Grain, Memory, World};
 use rayon::prelude::*;
 
 const SIGMA: f64 = 1.0;
@@ -156,6 +156,7 @@ pub fn drop_on(plate: f64, variant: Variant) -> End {
 pub fn drop_in_world(plate: f64) -> Result<End, Error> {
     let mut memory = Memory::<f64, 1, 1>::new();
     let mut world = World::builder(&mut memory)
+        .enduring(Enduring::Paper)
         .hard_walls([[plate, plate + 10.0]], RESTITUTION)
         .gravity([GRAVITY])
         .rule(HardSphere { restitution: RESTITUTION })

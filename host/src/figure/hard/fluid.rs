@@ -11,7 +11,7 @@ use anyhow::{Context, Result, bail, ensure};
 use carom::HeapMemory;
 use carom::law::HardSphere;
 use carom::world::{Event, EventOutcome};
-use carom::{Grain, Instant, Observer, Statistics, World};
+use carom::{Enduring, Grain, Instant, Observer, Statistics, World};
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
@@ -93,7 +93,7 @@ impl Fluid {
     ) -> Result<Spheres<'m, D>> {
         let half = self.length::<D>() / 2.0;
         let sides = [self.middle - half, self.middle + half];
-        let builder = World::builder(storage).periodic([sides; D]);
+        let builder = World::builder(storage).enduring(Enduring::Paper).periodic([sides; D]);
         let rule = HardSphere { restitution: self.restitution };
         Ok(builder.rule(rule).grains(grains)?.start()?)
     }

@@ -7,7 +7,7 @@ use carom::HeapMemory;
 use carom::law::{HardSphere, LinearDashpot, Rule};
 use carom::space::{Plane, Surface};
 use carom::world::Statistics;
-use carom::{Error, Grain, World};
+use carom::{Enduring, Error, Grain, World};
 use carom_reference::ForceLaw;
 use carom_tables::read::End;
 
@@ -153,6 +153,7 @@ fn start<'m, R: Rule<f64>>(
     let radius = 0.5 * column.diameter;
     let bead = |z: f64| Grain::with_mass(radius, 1.0).at([z]).moving([-column.speed]);
     World::builder(storage)
+        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0], 0.0, surface))
         .rule(rule)
         .grains(column.heights().into_iter().map(bead))?

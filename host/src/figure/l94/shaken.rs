@@ -13,7 +13,7 @@ use carom::law::{HardSphere, Rule};
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::Statistics;
 use carom::world::WorldBuilder;
-use carom::{Error, World};
+use carom::{Enduring, Error, World};
 use carom_reference::{Boundary, End, Exact, ForceLaw, Gear, Grain, Plate, System, VerletOptions};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -112,7 +112,10 @@ impl Shaken {
         let [pair, wall] = hard::restitution(&hard::dashpot(&self.law()?)?);
         let mut storage = HeapMemory::<f64, 1>::with_capacity(self.beads);
         let rule = HardSphere { restitution: pair };
-        let world = self.on(World::builder(&mut storage).rule(rule), Surface::Hard(wall))?;
+        let world = self.on(
+            World::builder(&mut storage).enduring(Enduring::Paper).rule(rule),
+            Surface::Hard(wall),
+        )?;
         hard::counted(world, times)
     }
 
@@ -124,7 +127,8 @@ impl Shaken {
         let law = hard::dashpot(&self.law()?)?;
         let mut storage = HeapMemory::<f64, 1>::with_capacity(self.beads);
         let rule = Integrated::new(law).ending(carom_tables::read::End::Overlap);
-        let world = self.on(World::builder(&mut storage).rule(rule), Surface::Rule)?;
+        let world = self
+            .on(World::builder(&mut storage).enduring(Enduring::Paper).rule(rule), Surface::Rule)?;
         hard::counted(world, times)
     }
 

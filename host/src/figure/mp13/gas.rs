@@ -9,7 +9,7 @@ use crate::tables::{Size, embedded};
 use anyhow::{Context, Result};
 use carom::HeapMemory;
 use carom::law::{Outside, Soft, Viscoelastic};
-use carom::{Grain, Statistics, World};
+use carom::{Enduring, Grain, Statistics, World};
 use carom_tables::read::Law;
 use rayon::prelude::*;
 use std::f64::consts::{PI, SQRT_2};
@@ -106,7 +106,10 @@ impl SoftGas {
     pub fn count(&self, collisions: u64) -> Result<Counted> {
         let half = 0.5 * self.edge();
         let mut storage = HeapMemory::<f64, 3>::with_capacity(self.grains);
-        let builder = World::builder(&mut storage).periodic([[-half, half]; 3]).rule(self.rule());
+        let builder = World::builder(&mut storage)
+            .enduring(Enduring::Paper)
+            .periodic([[-half, half]; 3])
+            .rule(self.rule());
         let mut world = builder.grains(self.start()?)?.start()?;
         while world.statistics().collisions < collisions {
             world.step()?.context("no grain will ever collide")?;

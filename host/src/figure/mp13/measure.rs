@@ -7,7 +7,7 @@ use carom::HeapMemory;
 use carom::law::{Central, Rule};
 use carom::world::Event;
 use carom::world::{EventKind, EventOutcome};
-use carom::{Observer, View, World};
+use carom::{Enduring, Observer, View, World};
 use carom_reference::{Boundary, End, ForceLaw, Grain, System, Verlet, VerletOptions};
 use std::f64::consts::PI;
 
@@ -134,7 +134,10 @@ pub fn measure(gas: &SoftGas, variant: Variant, effort: Effort) -> Result<Measur
 fn by_events(gas: &SoftGas, rule: impl Rule<f64>, effort: Effort) -> Result<Measured> {
     let (half, clock) = (0.5 * gas.edge(), Clock::new(gas, effort));
     let mut storage = HeapMemory::<f64, 3>::with_capacity(gas.grains);
-    let builder = World::builder(&mut storage).periodic([[-half, half]; 3]).rule(rule);
+    let builder = World::builder(&mut storage)
+        .enduring(Enduring::Paper)
+        .periodic([[-half, half]; 3])
+        .rule(rule);
     let mut world = builder.grains(gas.start()?)?.start()?;
     let energy = world.view().kinetic_energy();
     let mut flux = Flux::default();

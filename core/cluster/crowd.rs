@@ -1,0 +1,92 @@
+//! Could a third body disturb a contact of two? Reads who is near; writes nothing.
+
+use super::settings::crowd_gap;
+use crate::particle::{Body, Partner};
+use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
+use crate::space::{Domain, Particles, flight};
+
+/// A grain that takes part in a contact.
+#[derive(Clone, Copy)]
+pub(crate) struct Party<'a, S: Scalar, const D: usize> {
+    pub grain: usize,
+    /// As it is now.
+    pub body: &'a Body<S, D>,
+    /// The largest speed that the contact gives it against the centre of those that take part.
+    pub speed: S,
+}
+
+/// How a contact moves as a whole.
+#[derive(Clone, Copy)]
+pub(crate) struct Course<S: Scalar, const D: usize> {
+    /// The plane that takes part; nothing if grains only do.
+    pub with: Partner,
+    /// Of the centre of those that take part.
+    pub velocity: Vector<S, D>,
+    pub duration: S,
+}
+
+/// Whether something else could touch those that take part in a contact before it ends: a bound on the paths of
+/// all that are near. What comes from further off breaks the contact off when it touches.
+pub(crate) fn is_crowded<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    now: S,
+    parties: &[Party<'_, S, D>],
+    course: &Course<S, D>,
+) -> bool {
+    let crowd =
+        Crowd { particles, domain, now, course, fall: norm(domain.gravity()) * course.duration };
+    if parties.iter().any(|party| crowd.plane_nears(party)) {
+        return true;
+    }
+    let mut crowded = false;
+    for (n, Party { body, .. }) in parties.iter().enumerate() {
+        if parties.iter().take(n).any(|other| other.body.cell == body.cell) {
+            continue;
+        }
+        particles.cells.for_each_near(body.cell, |k| {
+            let is_third = parties.iter().all(|party| party.grain != k);
+            crowded = crowded || is_third && parties.iter().any(|party| crowd.nears(party, k));
+        });
+    }
+    crowded
+}
+
+struct Crowd<'a, S: Scalar, const D: usize> {
+    particles: &'a Particles<'a, S, D>,
+    domain: &'a Domain<'a, S, D>,
+    now: S,
+    course: &'a Course<S, D>,
+    /// What gravity adds to a speed meanwhile.
+    fall: S,
+}
+
+impl<S: Scalar, const D: usize> Crowd<'_, S, D> {
+    fn plane_nears(&self, party: &Party<'_, S, D>) -> bool {
+        let planes = self.domain.boundary.planes().iter().enumerate();
+        let mut others = planes.filter(|&(p, _)| Partner::plane(p) != self.course.with);
+        others.any(|(_, plane)| {
+            let shaken = plane.vibration.map_or(S::zero(), |v| v.peak_speed() + v.peak_speed());
+            let nears = -dot(&plane.normal, &self.course.velocity) + self.fall + shaken;
+            let room = (party.speed + nears.max(S::zero())) * self.course.duration;
+            plane.gap(&party.body.position, party.body.radius, self.now) < room
+        })
+    }
+
+    fn nears(&self, party: &Party<'_, S, D>, k: usize) -> bool {
+        let Some(other) = self.particles.body(k) else { return false };
+        let (position, velocity, sinks) = if other.is_supported() {
+            let there = flight::at(other, self.domain, self.now);
+            (there.position, there.velocity, self.fall)
+        } else {
+            let (position, velocity) = flight::free(other, self.domain, self.now);
+            (position, velocity, S::zero())
+        };
+        let apart = self.domain.boundary.nearest(party.body.position - position);
+        let distance = norm(&apart);
+        let gap = distance - party.body.radius - other.radius;
+        let nears = S::dot(&apart, &(velocity - self.course.velocity)).divided_by(distance);
+        let room = (party.speed + nears.max(S::zero()) + sinks) * self.course.duration;
+        gap < room.min(crowd_gap(self.particles.largest_radius))
+    }
+}

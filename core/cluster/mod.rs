@@ -1,0 +1,18 @@
+//! What do many bodies do that touch at once? Clusters: who is in one, their forces, steps and sleep; reads bodies and the rule, writes bodies.
+
+mod contact;
+mod crowd;
+mod forces;
+mod members;
+mod settings;
+mod sleep;
+mod step;
+mod watch;
+
+pub(crate) use crowd::{Course, Party, is_crowded};
+pub(crate) use forces::MAX_COLLISIONS;
+pub(crate) use members::{Clusters, join, wake};
+pub use settings::Enduring;
+pub(crate) use settings::Settings;
+pub(crate) use step::{settle, step};
+pub(crate) use watch::next_event;

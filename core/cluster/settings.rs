@@ -1,0 +1,208 @@
+//! How are contacts treated that last or crowd, and how stiff is what stands in for a hard one? Reads and writes nothing else.
+
+use crate::law::{Impact, Rule};
+use crate::particle::Body;
+use crate::scalar::{Scalar, Vector, WideProduct, norm};
+use crate::space::{Boundary, Plane, Surface};
+
+/// What becomes of contacts that last or crowd.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Enduring {
+    /// As in the papers: a contact is an event (L94, BSFP14) or a pair's own affair (MP13), whatever else
+    /// touches the two; grains come to rest by rules of their own. Figures of the papers need it.
+    Paper,
+    /// Contacts of more than two, and those in which gravity decides, are integrated under the same force
+    /// law; what has come to rest sleeps.
+    ///
+    /// The work is bounded. With t the contact time of the two smallest grains and n the
+    /// [steps a contact](crate::world::WorldBuilder::steps_per_contact):
+    ///
+    /// * Clustered grains make a step all together, each t/n. Under a force law of the rule's own, t is the
+    ///   shortest contact at the speeds there are, over √3; with the stand-in it is the
+    ///   [contact time](crate::world::WorldBuilder::contact_time), and a load that presses it deeper than
+    ///   R/32 makes steps shorter, by up to 14 times.
+    /// * Of collisions without duration a clustered grain begins at most 8 in a step, and a free one at most 64
+    ///   that follow each other within t/16: then it is clustered. That is at most 1,040 + 16 n in a time
+    ///   t, with 64 more once. (Boxes that were drawn at random have less than a tenth of that.)
+    /// * Of contacts with duration a pair has one in its duration.
+    /// * Crossings into other cells are as many as speeds over the width of a cell say.
+    #[default]
+    Integrated,
+}
+
+/// What a world was told of clusters, and what follows from its grains.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Settings<S> {
+    pub enduring: Enduring,
+    /// n: steps in the shortest contact that a crowd can have.
+    pub steps: S,
+    /// The stand-in's contact time; none: (R/g)^½/16, R the pair's own.
+    pub contact_time: Option<S>,
+    /// What the stand-in's contact time follows from: the last gravity that was not zero.
+    pub gravity: S,
+    /// The smallest radius and mass.
+    pub smallest: [S; 2],
+    /// Whether something may collide at once: the rule has no force law, or a plane is hard.
+    pub has_instantaneous: bool,
+    /// Whether the rule has no force law for some pair of materials.
+    pub is_rule_instantaneous: bool,
+    /// Whether it has one for some.
+    pub has_forces: bool,
+}
+
+impl<S: Scalar> Settings<S> {
+    /// As a builder starts.
+    pub fn new(enduring: Enduring) -> Self {
+        Self {
+            enduring,
+            steps: S::from_f32(32.0),
+            contact_time: None,
+            gravity: S::zero(),
+            smallest: [S::one(), S::one()],
+            has_instantaneous: true,
+            is_rule_instantaneous: true,
+            has_forces: false,
+        }
+    }
+
+    /// Whether clusters are integrated.
+    #[inline]
+    pub fn is_integrated(&self) -> bool {
+        self.enduring == Enduring::Integrated
+    }
+
+    /// The same with what follows from the rule, the planes and the grains.
+    pub fn adopted<const D: usize, R: Rule<S>>(
+        mut self,
+        rule: &R,
+        boundary: &Boundary<'_, S, D>,
+        gravity: &Vector<S, D>,
+        bodies: &[Body<S, D>],
+    ) -> Self {
+        let mut fastest = S::zero();
+        self.smallest = [S::NEVER; 2];
+        for body in bodies {
+            let [radius, mass] = self.smallest;
+            self.smallest = [radius.min(body.radius), mass.min(body.mass)];
+            fastest = fastest.max(norm(&body.velocity));
+        }
+        for plane in boundary.planes() {
+            fastest = plane.vibration.map_or(fastest, |v| fastest.max(v.peak_speed()));
+        }
+        let is_hard = |plane: &Plane<S, D>| matches!(plane.surface, Surface::Hard(_));
+        self.is_rule_instantaneous = self.has_pair(rule, bodies, false);
+        self.has_forces = self.has_pair(rule, bodies, true);
+        self.has_instantaneous =
+            self.is_rule_instantaneous || boundary.planes().iter().any(is_hard);
+        self.take_gravity(gravity, fastest);
+        self
+    }
+
+    /// Whether two of these grains may have a force law, or none. Of more than 16 materials some may.
+    fn has_pair<const D: usize, R: Rule<S>>(
+        &self,
+        rule: &R,
+        bodies: &[Body<S, D>],
+        with_force: bool,
+    ) -> bool {
+        let mut materials = heapless::Vec::<u8, 16>::new();
+        for body in bodies {
+            if !materials.contains(&body.material) && materials.push(body.material).is_err() {
+                return true;
+            }
+        }
+        let pairs = materials.iter().flat_map(|&a| materials.iter().map(move |&b| [a, b]));
+        let mut impacts = pairs.map(|materials| Impact { materials, ..self.small_pair(S::one()) });
+        impacts.any(|impact| rule.force(&impact, S::zero()).is_some() == with_force)
+    }
+
+    /// How far grains must be seen whose largest radius is this: no cell is narrower.
+    pub fn sight(&self, largest_radius: S) -> S {
+        let touching = largest_radius + largest_radius;
+        match self.is_integrated() && self.has_forces {
+            true => touching + crowd_gap(largest_radius),
+            false => touching,
+        }
+    }
+
+    /// Takes over gravity; without it, if there never was one, a speed from which slow is a sixteenth.
+    pub fn take_gravity<const D: usize>(&mut self, gravity: &Vector<S, D>, fastest: S) {
+        let g = norm(gravity);
+        if g > S::zero() {
+            self.gravity = g;
+        } else if !(self.gravity > S::zero()) {
+            // Slow is (g R)^½/4.
+            let [radius, _] = self.smallest;
+            let speed = fastest * S::from_f32(0.25);
+            let g = speed.times(speed).divided_by(radius);
+            self.gravity = if g > S::zero() && g.is_finite() { g } else { S::RESOLUTION };
+        }
+    }
+
+    /// Two of the smallest grains that meet at this speed.
+    fn small_pair(&self, normal_speed: S) -> Impact<S> {
+        let [radius, mass] = self.smallest;
+        Impact {
+            contact_distance: radius + radius,
+            effective_radius: radius * S::half(),
+            reduced_mass: mass * S::half(),
+            normal_speed,
+            tangential_speed: S::zero(),
+            materials: [0; 2],
+        }
+    }
+
+    /// π over the stand-in's contact time: ω of its spring.
+    pub fn frequency(&self, radius: S) -> S {
+        let pi = S::from_f64(core::f64::consts::PI);
+        match self.contact_time {
+            Some(time) => pi / time,
+            None => pi * S::from_f32(16.0) * self.gravity.sqrt_of_ratio(radius),
+        }
+    }
+
+    /// The largest speed of approach that counts as slow: R/(64 t), with which the stand-in overlaps by
+    /// 0.5 % of R; by default 4 g t.
+    pub fn slow_speed(&self, radius: S) -> S {
+        radius * self.frequency(radius) * S::from_f64(1.0 / (64.0 * core::f64::consts::PI))
+    }
+
+    /// Below this a clustered grain is slow enough to sleep: g t/128 by default, (g R)^½/2048.
+    pub fn sleep_speed(&self, radius: S) -> S {
+        self.slow_speed(radius) * S::from_f32(1.0 / 512.0)
+    }
+
+    /// For so long, ten contact times, it must have been so.
+    pub fn sleep_time(&self, radius: S) -> S {
+        S::from_f64(10.0 * core::f64::consts::PI) / self.frequency(radius)
+    }
+
+    /// The step of clustered grains of which none is faster than `speed`, no pair deeper than `overlap`, and
+    /// no stand-in's ω above `frequency`.
+    pub fn step<R: Rule<S>>(&self, rule: &R, speed: S, (overlap, frequency): (S, S)) -> S {
+        let impact = self.small_pair(speed + speed);
+        // A body pressed from all sides swings up to √3 times as fast as a pair does.
+        let soft = rule
+            .contact_time(&impact, overlap)
+            .map(|time| time / (self.steps * S::from_f64(1.732_050_807_568_877_2)));
+        let stand_in =
+            self.has_instantaneous && (self.gravity > S::zero() || self.contact_time.is_some());
+        let hard = stand_in.then(|| {
+            let frequency = self.frequency(self.smallest[0]).max(frequency);
+            S::from_f64(core::f64::consts::PI) / (frequency * self.steps)
+        });
+        let step = match (soft, hard) {
+            (Some(soft), Some(hard)) => soft.min(hard),
+            (soft, hard) => soft.or(hard).unwrap_or(S::one()),
+        };
+        step.max(S::RESOLUTION * S::from_f32(4.0))
+    }
+}
+
+/// Who is further off than this is no crowd, however fast it comes: it is not known in every grid.
+pub(super) fn crowd_gap<S: Scalar>(largest_radius: S) -> S {
+    largest_radius * S::half()
+}

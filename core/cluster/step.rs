@@ -1,0 +1,153 @@
+//! How do clustered grains move in a step? Reads forces; writes bodies, who is in a cluster, and the next step's length.
+//!
+//! Positions go to the middle of the step, forces are taken there, velocities change, positions go on: one
+//! evaluation of forces, of second order, and symmetric in time where nothing is lost. A dashpot needs the
+//! velocity in the middle: it is predicted by the last step's acceleration.
+
+use super::forces::Forces;
+use super::members::{Clusters, join, leave, sleep};
+use super::settings::Settings;
+use super::sleep::{may_sleep, rounded_speed};
+use crate::law::Rule;
+use crate::particle::Body;
+use crate::scalar::{Scalar, Vector, norm};
+use crate::space::{Domain, Particles};
+
+/// A grain that has touched nothing for so many steps flies freely.
+const FREE_AFTER: f32 = 8.0;
+
+/// Clustered grains move on to this time, which is not later than the step is long.
+pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
+    particles: &mut Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    clusters: &mut Clusters<S>,
+    (rule, settings): (&R, &Settings<S>),
+    to: S,
+) {
+    let (from, step) = (clusters.time, to - clusters.time);
+    let half = step * S::half();
+    if step > S::zero() {
+        for_each(particles, clusters, |particles, i| {
+            to_the_middle(particles, domain, i, [from, half]);
+        });
+        let mut forces = Forces {
+            particles,
+            domain,
+            rule,
+            settings,
+            middle: from + half,
+            end: to,
+            step,
+            deepest: S::zero(),
+            frequency: S::zero(),
+            woken: heapless::Vec::new(),
+        };
+        forces.add(clusters);
+        let (deepest, frequency, woken) = (forces.deepest, forces.frequency, forces.woken);
+        let mut fastest = S::zero();
+        for_each(particles, clusters, |particles, i| {
+            fastest = fastest.max(to_the_end(particles, domain, settings, i, [to, step]));
+        });
+        (clusters.time, clusters.speed) = (to, fastest);
+        woken.iter().for_each(|&k| join(particles, domain, clusters, (k, to)));
+        clusters.step = settings.step(rule, fastest, (deepest, frequency));
+    } else {
+        clusters.step = settings.step(rule, speed(particles, clusters), (S::zero(), S::zero()));
+    }
+}
+
+/// Visits all clustered grains by their numbers.
+fn for_each<S: Scalar, const D: usize>(
+    particles: &mut Particles<'_, S, D>,
+    clusters: &Clusters<S>,
+    mut visit: impl FnMut(&mut Particles<'_, S, D>, usize),
+) {
+    let mut next = clusters.first();
+    while let Some(i) = next {
+        visit(particles, i);
+        next = particles.body(i).and_then(|body| body.partner.next_clustered());
+    }
+}
+
+/// The largest speed of a clustered grain.
+fn speed<S: Scalar, const D: usize>(
+    particles: &mut Particles<'_, S, D>,
+    clusters: &Clusters<S>,
+) -> S {
+    let mut fastest = S::zero();
+    for_each(particles, clusters, |particles, i| {
+        let speed = particles.body(i).map_or(S::zero(), |body| norm(&body.velocity));
+        fastest = fastest.max(speed);
+    });
+    fastest
+}
+
+/// The first half of the step. Whoever was free a moment ago is taken to its beginning first.
+fn to_the_middle<S: Scalar, const D: usize>(
+    particles: &mut Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    i: usize,
+    [from, half]: [S; 2],
+) {
+    let body = particles.present(i, domain, from);
+    let before = body.velocity_change;
+    if let Some(place) = particles.accelerations.get_mut(i) {
+        *place = before;
+    }
+    let there = Body {
+        // On the lattice: it must not matter in which image a grain is kept.
+        position: body.position + domain.boundary.on_lattice(body.velocity * half),
+        velocity: body.velocity + before * half,
+        velocity_change: Vector::zeros(),
+        ..body
+    };
+    particles.relocate(&domain.boundary, i, there);
+}
+
+/// The second half; returns the grain's speed.
+fn to_the_end<S: Scalar, const D: usize>(
+    particles: &mut Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    settings: &Settings<S>,
+    i: usize,
+    [to, step]: [S; 2],
+) -> S {
+    let half = step * S::half();
+    let Some(body) = particles.body(i).copied() else { return S::zero() };
+    let now = body.velocity_change + domain.gravity();
+    let before = particles.accelerations.get(i).copied().unwrap_or(now);
+    let velocity = body.velocity - before * half + now * step;
+    let speed = norm(&velocity);
+    let slow = settings.sleep_speed(body.radius).max(rounded_speed(&body, step));
+    let is_slow = speed <= slow;
+    let there = Body {
+        position: body.position + domain.boundary.on_lattice(velocity * half),
+        velocity,
+        velocity_change: now,
+        clock: to,
+        reference_time: if is_slow { body.reference_time } else { to },
+        consecutive_collisions: 0,
+        ..body
+    };
+    particles.relocate(&domain.boundary, i, there);
+    speed
+}
+
+/// After a step: a grain that touches nothing flies, and one that has been slow among such as it for long sleeps.
+pub(crate) fn settle<S: Scalar, const D: usize>(
+    particles: &mut Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    clusters: &mut Clusters<S>,
+    (settings, i): (&Settings<S>, usize),
+) {
+    let now = clusters.time;
+    let Some(body) = particles.body(i).copied() else { return };
+    if body.contact_end < now - clusters.step * S::from_f32(FREE_AFTER) {
+        leave(particles, clusters, (i, now));
+    } else if !domain.is_weightless()
+        && domain.is_still()
+        && may_sleep(particles, domain, settings, (i, &body), [now, clusters.step])
+    {
+        sleep(particles, domain, clusters, (i, now));
+    }
+}

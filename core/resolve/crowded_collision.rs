@@ -1,0 +1,275 @@
+//! What happens when two bodies touch, where contacts that last or crowd are integrated? Reads both, who is near, and the rule; writes both.
+//!
+//! A pair that nothing else can disturb has a contact of its own (E^φ, E^v) or collides at once. All others
+//! are clustered, and so are those that gravity keeps together.
+
+use super::accept_answer::ask;
+use super::context::Context;
+use super::effects::{EventOutcome, Incident};
+use super::impact_frame::ImpactFrame;
+use super::{broken_contact, contact_begin, plane_collision};
+use crate::cluster::{Course, MAX_COLLISIONS, Party, is_crowded};
+use crate::error::Error;
+use crate::law::{Outcome, Response, Rule};
+use crate::particle::{Body, Partner};
+use crate::scalar::{Scalar, Vector, dot, max_abs, norm};
+use crate::space::{Plane, Surface};
+
+/// After so many collisions each soon after the last, forces decide.
+const MAX_SOON: u16 = 64;
+
+/// The same without gravity where they are slow. Such a collision alone keeps nobody together: a gas has
+/// them, too.
+const MAX_SLOW_SOON: u16 = 8;
+
+/// Grain `i` touches its partner.
+pub(super) fn touch<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    (i, partner): (usize, Partner),
+) -> Result<EventOutcome<S>, Error> {
+    let other = partner.as_grain();
+    let mut broken = false;
+    for x in [Some(i), other].into_iter().flatten() {
+        if context.particles.body(x).is_some_and(Body::in_contact) {
+            broken_contact::cluster(context, rule, x);
+            broken = true;
+        }
+    }
+    if broken {
+        return Ok(join(context, [Some(i), other]));
+    }
+    match (other, partner.as_plane()) {
+        (Some(k), _) => touch_grain(context, rule, if i < k { [i, k] } else { [k, i] }),
+        (None, Some(p)) => touch_plane(context, rule, (i, p)),
+        (None, None) => Ok(EventOutcome::Unchanged),
+    }
+}
+
+/// These are clustered from now on.
+fn join<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    grains: [Option<usize>; 2],
+) -> EventOutcome<S> {
+    context.count(Incident::Join);
+    let clustered = |context: &Context<'_, '_, S, D>| context.clusters.count;
+    let before = clustered(context);
+    grains.into_iter().flatten().for_each(|grain| context.join(grain));
+    if clustered(context) == before {
+        // They were already: forces decide, and nothing at once until the step ends.
+        for x in grains.into_iter().flatten() {
+            if let Some(body) = context.particles.bodies.get_mut(x) {
+                body.consecutive_collisions = MAX_COLLISIONS;
+            }
+        }
+    }
+    EventOutcome::Joined
+}
+
+fn touch_grain<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    who: [usize; 2],
+) -> Result<EventOutcome<S>, Error> {
+    let [i, k] = who;
+    let pair = who.map(|x| context.present(x));
+    let [a, b] = &pair;
+    let separation = context.domain.separation(a, b);
+    let frame = ImpactFrame::new(separation, a.velocity - b.velocity);
+    let settled = [a, b].into_iter().any(is_settled);
+    let Some(frame) = frame.filter(|frame| frame.radial < S::zero()) else {
+        if settled {
+            return Ok(join(context, who.map(Some)));
+        }
+        // Grazing within rounding: they part already, and are predicted from here.
+        who.iter().zip(&pair).for_each(|(&x, body)| context.replace(x, *body));
+        return Ok(EventOutcome::Unchanged);
+    };
+    let impact = frame.impact(a, b);
+    let lasts = rule.force(&impact, S::zero()).is_some();
+    let radius = a.radius.min(b.radius);
+    let crowd = move |context: &mut Context<'_, '_, S, D>| Ok(join(context, who.map(Some)));
+    if if lasts { settled } else { is_held(context, [a, b], (-frame.radial, radius)) } {
+        return crowd(context);
+    }
+    let response = ask(rule, &impact, context.effects, (i, Partner::grain(k)))?;
+    match response {
+        Response::Lasting(outcome) => {
+            if disturbed(context, who, &pair, &outcome) {
+                return crowd(context);
+            }
+            // Nothing is where it turns to.
+            contact_begin::bind(context, who, &pair, (&frame, &outcome));
+            begins_now(context, who);
+            context.count(Incident::Collision);
+            Ok(EventOutcome::ContactBegan(outcome))
+        }
+        // Outside the table: forces know.
+        Response::Instantaneous(_) if lasts => crowd(context),
+        Response::Instantaneous(restitution) => {
+            context.count(Incident::Collision);
+            let mass = a.mass + b.mass;
+            let least = min_parting_speed(&a.velocity) + min_parting_speed(&b.velocity);
+            let away = (restitution * -frame.radial).max(least) - frame.radial;
+            let change = frame.along(away);
+            kick(context, (i, a, radius), change * (b.mass / mass));
+            kick(context, (k, b, radius), -change * (a.mass / mass));
+            Ok(EventOutcome::Collision { restitution })
+        }
+        Response::Refused { .. } | Response::Overflow(_) => Ok(EventOutcome::Unchanged),
+    }
+}
+
+/// Whether a body is clustered or asleep.
+fn is_settled<S: Scalar, const D: usize>(body: &Body<S, D>) -> bool {
+    body.is_clustered() || body.is_asleep()
+}
+
+/// Whether a collision without duration belongs to a contact that lasts: it is slow, and so soon after the
+/// last one of either that gravity, not the collisions, decides; or there have been many in a row.
+fn is_held<'a, S: Scalar, const D: usize>(
+    context: &Context<'_, '_, S, D>,
+    bodies: impl IntoIterator<Item = &'a Body<S, D>>,
+    (speed, radius): (S, S),
+) -> bool {
+    let settings = &context.parameters.settings;
+    let is_slow = speed <= settings.slow_speed(radius);
+    bodies.into_iter().any(|body| {
+        let count = if is_settled(body) { 0 } else { body.consecutive_collisions };
+        let is_soon = || match context.domain.is_weightless() {
+            true => count >= MAX_SLOW_SOON,
+            false => is_soon(context, body, radius, S::one()),
+        };
+        count >= MAX_SOON || is_slow && (is_settled(body) || is_soon())
+    })
+}
+
+/// Whether the last collision of a body is less than this part of a contact time ago.
+fn is_soon<S: Scalar, const D: usize>(
+    context: &Context<'_, '_, S, D>,
+    body: &Body<S, D>,
+    radius: S,
+    part: S,
+) -> bool {
+    let last = body.last_collision();
+    let pi = S::from_f64(core::f64::consts::PI) * part;
+    last > -S::NEVER && (context.now() - last) * context.parameters.settings.frequency(radius) < pi
+}
+
+/// Whether a third body could touch either before the contact ends.
+fn disturbed<S: Scalar, const D: usize>(
+    context: &Context<'_, '_, S, D>,
+    [i, k]: [usize; 2],
+    [a, b]: &[Body<S, D>; 2],
+    outcome: &Outcome<S>,
+) -> bool {
+    let (mass, relative) = (a.mass + b.mass, a.velocity - b.velocity);
+    let centre = b.velocity + relative * (a.mass / mass);
+    let speed = norm(&relative);
+    let parties = [
+        Party { grain: i, body: a, speed: speed * (b.mass / mass) },
+        Party { grain: k, body: b, speed: speed * (a.mass / mass) },
+    ];
+    let course = Course { with: Partner::NOTHING, velocity: centre, duration: outcome.duration };
+    is_crowded(context.particles, context.domain, context.now(), &parties, &course)
+}
+
+/// Keeps when a contact began, so that the touch can be recovered.
+fn begins_now<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    who: impl IntoIterator<Item = usize>,
+) {
+    let now = context.now();
+    for x in who {
+        if let Some(body) = context.particles.bodies.get_mut(x) {
+            body.reference_time = now;
+        }
+    }
+}
+
+/// A grain's velocity changes at once. One that was asleep is clustered from now on.
+fn kick<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    (x, body, radius): (usize, &Body<S, D>, S),
+    change: Vector<S, D>,
+) {
+    if body.is_asleep() {
+        context.join(x);
+    }
+    let soon = is_settled(body) || is_soon(context, body, radius, S::from_f32(1.0 / 16.0));
+    let Some(kept) = context.particles.body(x).copied() else { return };
+    let consecutive_collisions =
+        if soon { kept.consecutive_collisions.saturating_add(1) } else { 0 };
+    let (position, velocity) = (body.position, body.velocity + change);
+    let (clock, reference_time) = (context.now(), context.now());
+    let kicked = Body { position, velocity, clock, reference_time, consecutive_collisions, ..kept };
+    context.replace(x, kicked);
+}
+
+/// As [`super::instantaneous_collision`]: grains part at least so fast.
+fn min_parting_speed<S: Scalar, const D: usize>(velocity: &Vector<S, D>) -> S {
+    max_abs(velocity).rounding() * S::from_f32(4.0)
+}
+
+fn touch_plane<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    (i, p): (usize, usize),
+) -> Result<EventOutcome<S>, Error> {
+    let domain = context.domain;
+    let Some(plane) = domain.boundary.planes().get(p) else { return Ok(EventOutcome::Unchanged) };
+    let body = context.present(i);
+    let motion = plane.motion(context.now());
+    let speed = (motion.speed - dot(&plane.normal, &body.velocity)).max(S::zero());
+    let weight = motion.acceleration - dot(&plane.normal, domain.gravity());
+    let impact = plane_collision::impact(&body, speed, weight);
+    let restitution = match plane.surface {
+        Surface::Hard(restitution) => Some(restitution),
+        Surface::Rule => None,
+    };
+    let lasts = restitution.is_none() && rule.force(&impact, S::zero()).is_some();
+    let held = !lasts && is_held(context, [&body], (speed, body.radius));
+    if held || lasts && is_settled(&body) {
+        return Ok(join(context, [Some(i), None]));
+    }
+    let response = match restitution {
+        Some(restitution) => Response::Instantaneous(restitution),
+        None => ask(rule, &impact, context.effects, (i, Partner::plane(p)))?,
+    };
+    match response {
+        Response::Lasting(outcome) => {
+            let heavy = weight.abs() * outcome.duration * S::from_f32(256.0) > speed;
+            if heavy || is_disturbed_at(context, (i, &body), (p, plane), (speed, &outcome)) {
+                return Ok(join(context, [Some(i), None]));
+            }
+            context.count(Incident::PlaneCollision);
+            let began =
+                contact_begin::begin_with_plane(context, (i, p), &body, plane, (speed, &outcome));
+            begins_now(context, [i]);
+            Ok(began)
+        }
+        Response::Instantaneous(_) if lasts => Ok(join(context, [Some(i), None])),
+        Response::Instantaneous(restitution) => {
+            context.count(Incident::PlaneCollision);
+            let least = min_parting_speed(&body.velocity);
+            let away = (speed * restitution).max(least) + speed;
+            kick(context, (i, &body, body.radius), plane.normal * away);
+            Ok(EventOutcome::Collision { restitution })
+        }
+        Response::Refused { .. } | Response::Overflow(_) => Ok(EventOutcome::Unchanged),
+    }
+}
+
+/// Whether a third body, or another plane, could touch a grain before its contact with a plane ends.
+fn is_disturbed_at<S: Scalar, const D: usize>(
+    context: &Context<'_, '_, S, D>,
+    (i, body): (usize, &Body<S, D>),
+    (p, plane): (usize, &Plane<S, D>),
+    (speed, outcome): (S, &Outcome<S>),
+) -> bool {
+    let along = dot(&plane.normal, &body.velocity);
+    let velocity = body.velocity - plane.normal * along;
+    let course = Course { with: Partner::plane(p), velocity, duration: outcome.duration };
+    let party = Party { grain: i, body, speed };
+    is_crowded(context.particles, context.domain, context.now(), &[party], &course)
+}

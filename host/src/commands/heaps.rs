@@ -1,0 +1,86 @@
+//! `carom soak --heaps`: can a heap stop the engine? Draws boxes and runs them; writes those that broke, and a line for each family.
+
+use crate::heaps::{self, Drawn, Ended, Families, Number, Report};
+use crate::progress::Progress;
+use anyhow::{Result, ensure};
+use std::io::Write;
+
+/// The most grains of a box. Of more than 30 a small one's acceleration does not fit 16 binary places.
+fn most(number: Number) -> usize {
+    if number == Number::I16f16 { 30 } else { 200 }
+}
+
+/// Runs so many boxes from this seed on.
+///
+/// # Errors
+/// A box that broke.
+pub fn soak(boxes: u64, seed: u64, number: Number) -> Result<()> {
+    let begin = std::time::Instant::now();
+    let mut out = std::io::stdout().lock();
+    let progress = Progress::new("heaps", boxes);
+    let mut families = Families::new();
+    for seed in (0..boxes).map(|k| seed.wrapping_add(k)) {
+        let (drawn, report) = heaps::run(seed, most(number), number);
+        families.entry(heaps::family(&drawn)).or_default().add(&drawn, &report);
+        if let Ended::Broken(what) = &report.ended {
+            broken(&mut out, (&drawn, &report), what)?;
+        }
+        progress.add(1);
+    }
+    drop(progress);
+    table(&mut out, &families)?;
+    let broken: u64 = families.values().map(|summary| summary.broken).sum();
+    let seconds = begin.elapsed().as_secs_f64();
+    writeln!(out, "{boxes} boxes, {broken} broke; {seconds:.0} s")?;
+    ensure!(broken == 0, "{broken} of {boxes} boxes broke");
+    Ok(())
+}
+
+fn broken(out: &mut impl Write, (drawn, report): (&Drawn, &Report), what: &str) -> Result<()> {
+    let Drawn { seed, dimension, law, hard_walls, gravity, .. } = drawn;
+    let count = drawn.count();
+    writeln!(
+        out,
+        "--seed {seed}: {what}; {dimension}D, {count} grains, {law:?}, walls {hard_walls:?}, gravity {gravity:?}, {:.1} s",
+        report.seconds
+    )?;
+    Ok(out.flush()?)
+}
+
+fn table(out: &mut impl Write, families: &Families) -> Result<()> {
+    writeln!(
+        out,
+        "{:<40}{:>7}{:>8}{:>8}{:>8}{:>8}{:>8}{:>10}{:>9}{:>9}{:>8}",
+        "family (time in (R/g)^½)",
+        "boxes",
+        "asleep",
+        "median",
+        "latest",
+        "sliding",
+        "broken",
+        "energy",
+        "overlap",
+        "coll./t",
+        "s"
+    )?;
+    for (family, summary) in families {
+        let size = if family.is_large { ", over 20" } else { "" };
+        let name = format!("{}D {} {:?}{size}", family.dimension, family.law, family.gravity);
+        let time = |time: Option<f64>| time.map_or("-".to_owned(), |time| format!("{time:.0}"));
+        writeln!(
+            out,
+            "{name:<40}{:>7}{:>8}{:>8}{:>8}{:>8}{:>8}{:>10.1e}{:>9.3}{:>9.0}{:>8.1}",
+            summary.boxes,
+            summary.asleep.len(),
+            time(summary.median()),
+            time(summary.asleep.last().copied()),
+            summary.sliding,
+            summary.broken,
+            summary.rise,
+            summary.deepest,
+            summary.collisions,
+            summary.slowest
+        )?;
+    }
+    Ok(())
+}

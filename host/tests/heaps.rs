@@ -1,0 +1,36 @@
+//! Can a small heap stop the engine? Draws boxes as `carom soak --heaps` does; writes nothing.
+
+use carom_host::heaps::{self, Ended, Number};
+
+/// Some boxes of each number type: none breaks, and most of those that must are asleep, not sliding.
+#[test]
+fn small_boxes_of_all_kinds_come_to_what_they_must() {
+    let (mut asleep, mut due) = (0, 0);
+    for (number, seeds) in [
+        (Number::F64, 1..11),
+        (Number::F32, 17..23),
+        (Number::I32f32, 25..31),
+        (Number::I16f16, 31..37),
+    ] {
+        for seed in seeds {
+            let (drawn, report) = heaps::run(seed, 12, number);
+            if let Ended::Broken(what) = &report.ended {
+                panic!("{number:?}, seed {seed}: {what}: {drawn:?}");
+            }
+            due += u32::from(drawn.must_sleep_by().is_some());
+            asleep += u32::from(matches!(report.ended, Ended::Asleep(_)));
+        }
+    }
+    assert!(2 * asleep > due, "{asleep} of {due}");
+}
+
+/// A box follows from its seed.
+#[test]
+fn a_seed_gives_the_same_box_again() {
+    for seed in 0..8 {
+        let [one, other] = [heaps::run(seed, 3, Number::F64), heaps::run(seed, 3, Number::F64)];
+        assert_eq!(format!("{:?}", one.0), format!("{:?}", other.0));
+        assert_eq!(one.1.ended, other.1.ended);
+        assert_eq!(one.1.deepest, other.1.deepest);
+    }
+}
