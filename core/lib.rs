@@ -77,8 +77,8 @@ mod schedule;
 pub mod space;
 pub mod world;
 
-pub use cluster::Enduring;
 pub use error::Error;
+pub use law::Enduring;
 /// The crate of [`scalar::Vector`]: positions and velocities are `nalgebra::SVector<S, D>`. For `f32` and `f64` they
 /// have all its methods (`norm`, `dot`, `normalize`, ...); for every scalar there are [`scalar::norm`] and
 /// [`scalar::dot`].

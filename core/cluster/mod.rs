@@ -12,7 +12,6 @@ mod watch;
 pub(crate) use crowd::{Course, Party, is_crowded};
 pub(crate) use forces::MAX_COLLISIONS;
 pub(crate) use members::{Clusters, join, wake};
-pub use settings::Enduring;
 pub(crate) use settings::Settings;
 pub(crate) use step::{settle, step};
 pub(crate) use watch::next_event;

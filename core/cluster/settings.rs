@@ -1,36 +1,9 @@
 //! How are contacts treated that last or crowd, and how stiff is what stands in for a hard one? Reads and writes nothing else.
 
-use crate::law::{Impact, Rule};
+use crate::law::{Enduring, Impact, Rule};
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, WideProduct, norm};
 use crate::space::{Boundary, Plane, Surface};
-
-/// What becomes of contacts that last or crowd.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub enum Enduring {
-    /// As in the papers: a contact is an event (L94, BSFP14) or a pair's own affair (MP13), whatever else
-    /// touches the two; grains come to rest by rules of their own. Figures of the papers need it.
-    Paper,
-    /// Contacts of more than two, and those in which gravity decides, are integrated under the same force
-    /// law; what has come to rest sleeps.
-    ///
-    /// The work is bounded. With t the contact time of the two smallest grains and n the
-    /// [steps a contact](crate::world::WorldBuilder::steps_per_contact):
-    ///
-    /// * Clustered grains make a step all together, each t/n. Under a force law of the rule's own, t is the
-    ///   shortest contact at the speeds there are, over √3; with the stand-in it is the
-    ///   [contact time](crate::world::WorldBuilder::contact_time), and a load that presses it deeper than
-    ///   R/32 makes steps shorter, by up to 14 times.
-    /// * Of collisions without duration a clustered grain begins at most 8 in a step, and a free one at most 64
-    ///   that follow each other within t/16: then it is clustered. That is at most 1,040 + 16 n in a time
-    ///   t, with 64 more once. (Boxes that were drawn at random have less than a tenth of that.)
-    /// * Of contacts with duration a pair has one in its duration.
-    /// * Crossings into other cells are as many as speeds over the width of a cell say.
-    #[default]
-    Integrated,
-}
 
 /// What a world was told of clusters, and what follows from its grains.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,10 +41,10 @@ impl<S: Scalar> Settings<S> {
         }
     }
 
-    /// Whether clusters are integrated.
+    /// Whether clusters are integrated. Where the rule says so once for all, the compiler knows.
     #[inline]
-    pub fn is_integrated(&self) -> bool {
-        self.enduring == Enduring::Integrated
+    pub fn is_integrated(&self, rule: &impl Rule<S>) -> bool {
+        rule.enduring().unwrap_or(self.enduring) == Enduring::Integrated
     }
 
     /// The same with what follows from the rule, the planes and the grains.
@@ -82,6 +55,7 @@ impl<S: Scalar> Settings<S> {
         gravity: &Vector<S, D>,
         bodies: &[Body<S, D>],
     ) -> Self {
+        self.enduring = rule.enduring().unwrap_or(self.enduring);
         let mut fastest = S::zero();
         self.smallest = [S::NEVER; 2];
         for body in bodies {
@@ -122,7 +96,7 @@ impl<S: Scalar> Settings<S> {
     /// How far grains must be seen whose largest radius is this: no cell is narrower.
     pub fn sight(&self, largest_radius: S) -> S {
         let touching = largest_radius + largest_radius;
-        match self.is_integrated() && self.has_forces {
+        match self.enduring == Enduring::Integrated && self.has_forces {
             true => touching + crowd_gap(largest_radius),
             false => touching,
         }

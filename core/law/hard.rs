@@ -1,5 +1,6 @@
 //! What do hard spheres do? Instantaneous collisions with constant or velocity-dependent restitution.
 
+use super::enduring::Enduring;
 use super::rule::{Answer, Impact, Response, Rule};
 use crate::error::{Error, Subject};
 use crate::scalar::Scalar;
@@ -41,6 +42,11 @@ impl<S: Scalar> Rule<S> for HardSphere<S> {
 pub struct Central<R>(pub R);
 
 impl<S: Scalar, R: Rule<S>> Rule<S> for Central<R> {
+    #[inline(always)]
+    fn enduring(&self) -> Option<Enduring> {
+        self.0.enduring()
+    }
+
     fn collide(&self, impact: &Impact<S>) -> Answer<S> {
         let central = Impact { tangential_speed: S::zero(), ..*impact };
         let answer = self.0.collide(&central);

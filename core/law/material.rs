@@ -1,5 +1,6 @@
 //! Which rule holds between two materials? Reads the materials of an impact; asks the pair's rule.
 
+use super::enduring::Enduring;
 use super::rule::{Answer, ContactForce, Impact, Response, Rule};
 use crate::error::{Error, Subject};
 use crate::scalar::Scalar;
@@ -56,6 +57,11 @@ impl<R, const M: usize> ByMaterial<R, M> {
 }
 
 impl<S: Scalar, R: Rule<S>, const M: usize> Rule<S> for ByMaterial<R, M> {
+    #[inline(always)]
+    fn enduring(&self) -> Option<Enduring> {
+        self.0.iter().flatten().find_map(Rule::enduring)
+    }
+
     fn collide(&self, impact: &Impact<S>) -> Answer<S> {
         match self.rule(impact.materials) {
             Some(rule) => rule.collide(impact),

@@ -1,5 +1,6 @@
 //! What is a rule asked, and what does it answer? An impact and the matrix of restitution; reads and writes nothing.
 
+use super::enduring::Enduring;
 use crate::error::Error;
 use crate::scalar::Scalar;
 
@@ -118,6 +119,13 @@ pub trait Rule<S: Scalar> {
     /// What these two do. Called once for each contact.
     fn collide(&self, impact: &Impact<S>) -> Answer<S>;
 
+    /// The mode of all worlds of this rule; none, the default: that which the builder is told. An answer that the
+    /// compiler knows keeps the other mode out of the program, see [`PaperMode`](super::PaperMode).
+    #[inline(always)]
+    fn enduring(&self) -> Option<Enduring> {
+        None
+    }
+
     /// Whether grains may part faster than they met. A restitution above 1 is refused unless this says so.
     fn adds_energy(&self) -> bool {
         false
@@ -150,6 +158,10 @@ pub trait Rule<S: Scalar> {
 }
 
 impl<S: Scalar, R: Rule<S> + ?Sized> Rule<S> for &R {
+    #[inline(always)]
+    fn enduring(&self) -> Option<Enduring> {
+        (**self).enduring()
+    }
     fn collide(&self, impact: &Impact<S>) -> Answer<S> {
         (**self).collide(impact)
     }

@@ -43,7 +43,7 @@ fn touch<S: Scalar, const D: usize>(
     let other = partner.as_grain();
     context.effects.predict_anew(i);
     other.into_iter().for_each(|k| context.effects.predict_anew(k));
-    if context.parameters.settings.is_integrated() {
+    if context.parameters.settings.is_integrated(rule) {
         return crowded_collision::touch(context, rule, (i, partner));
     }
     if contact_end::interrupt(context, [Some(i), other]) {

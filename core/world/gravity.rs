@@ -23,7 +23,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Err(Error::input(Subject::World, "gravity", value, "a finite number"));
         }
         check_scales::gravity(&gravity, self.particles.largest_radius)?;
-        if self.parameters.settings.is_integrated() {
+        if self.parameters.settings.is_integrated(&self.rule) {
             return self.change_gravity(gravity);
         }
         self.set_clocks_back(self.clock.now);

@@ -3,14 +3,15 @@
 use super::state::World;
 use crate::cluster;
 use crate::detect::{self, EventKind, ScheduledEvent};
+use crate::law::Rule;
 use crate::particle::Body;
 use crate::scalar::Scalar;
 
-impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
+impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// A grain's next event. Without cells it is brought back into the box first, so that the nearest
     /// image is one box length away at most.
     pub(super) fn predict(&mut self, grain: usize) -> ScheduledEvent<S> {
-        if self.parameters.settings.is_integrated()
+        if self.parameters.settings.is_integrated(&self.rule)
             && let Some(body) = self.particles.body(grain)
             && (body.is_clustered() || body.is_asleep())
         {

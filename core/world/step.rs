@@ -44,7 +44,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     ) -> Result<Option<Event<S>>, Error> {
         let step = self.clusters.due();
         let Some((grain, due)) = self.due(limit.min(step)) else {
-            if self.clusters.count > 0 && step <= limit {
+            if self.has_clusters() && step <= limit {
                 return self.step_clusters(step, observer).map(Some);
             }
             return Ok(None);
@@ -89,6 +89,12 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             let event = self.predict(stale);
             self.queue.set(stale, event);
         }
+    }
+
+    /// Whether grains are clustered now.
+    #[inline]
+    pub(super) fn has_clusters(&self) -> bool {
+        self.parameters.settings.is_integrated(&self.rule) && self.clusters.count > 0
     }
 
     /// Clustered grains move on to this time, and all that may touch next is predicted.

@@ -30,7 +30,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         if !((due || late) && self.clock.now > S::zero()) {
             return;
         }
-        if self.clusters.count > 0 && self.clusters.time < self.clock.now {
+        if self.has_clusters() && self.clusters.time < self.clock.now {
             // In the middle of a step: after it.
             return;
         }

@@ -1,5 +1,6 @@
 //! What does the firmware of every family do? The tilt box and its measurements; reads a chip, writes text.
 
+use carom::law::PaperMode;
 use carom::law::embedded::read::Table;
 use carom::{Error, World};
 use carom_scenes::Number;
@@ -38,7 +39,7 @@ pub fn measure_all<S: Number>(
     board: &mut impl Board,
 ) {
     println!("memory {}", size_of::<tilt::Box32<S>>());
-    println!("world {}", size_of::<World<'_, S, 2, Rubber<S>>>());
+    println!("world {}", size_of::<World<'_, S, 2, PaperMode<Rubber<S>>>>());
     for (name, table) in tables {
         measure::<S>(name, table, runs, stack, board);
         println!("{name}.lookup {}", measure::lookup::<S>(table, board));

@@ -1,8 +1,8 @@
 //! What is in the tilt box? 32 glass beads of different size under a turning gravity; reads a script, writes frames to a board.
 
 use carom::law::embedded::read::Table;
-use carom::law::{Outside, Rule, Soft, Viscoelastic};
-use carom::{Enduring, Error, Grain, Instant, Memory, Scalar, Storage, World};
+use carom::law::{Outside, PaperMode, Rule, Soft, Viscoelastic};
+use carom::{Error, Grain, Instant, Memory, Scalar, Storage, World};
 
 use crate::scene::{GRAVITY, Number, Rubber, n};
 
@@ -75,7 +75,7 @@ pub fn memory<S: Scalar>() -> Box32<S> {
 pub fn tilt_box<'m, S: Number>(
     memory: &'m mut impl Storage<S, 2>,
     table: &'static Table<S::Stored>,
-) -> Result<World<'m, S, 2, Rubber<S>>, Error> {
+) -> Result<World<'m, S, 2, PaperMode<Rubber<S>>>, Error> {
     tilt_box_begun(memory, table, S::one())
 }
 
@@ -88,17 +88,16 @@ pub fn tilt_box_begun<'m, S: Number>(
     memory: &'m mut impl Storage<S, 2>,
     table: &'static Table<S::Stored>,
     faster: S,
-) -> Result<World<'m, S, 2, Rubber<S>>, Error> {
+) -> Result<World<'m, S, 2, PaperMode<Rubber<S>>>, Error> {
     let begun = |k| {
         let mut grain = site::<S>(k);
         grain.velocity *= faster;
         grain
     };
     World::builder(memory)
-        .enduring(Enduring::Paper)
         .walls([[S::zero(), S::from_count(SIDE)]; 2])
         .gravity(accelerometer(0))
-        .rule(glass(table))
+        .rule(PaperMode(glass(table)))
         .grains((0..GRAINS as u32).map(begun))?
         .start()
 }
