@@ -263,7 +263,9 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         let events = events.get_mut(..self.count).unwrap_or_default();
         let tree = tree.get_mut(..self.count).unwrap_or_default();
         let links = links.get_mut(..self.count).unwrap_or_default();
-        let accelerations = accelerations.get_mut(..self.count).unwrap_or_default();
+        let clustered = if self.settings.is_integrated(&self.rule) { self.count } else { 0 };
+        check_input::accelerations(clustered, accelerations.len())?;
+        let accelerations = accelerations.get_mut(..clustered).unwrap_or_default();
         let largest_radius = largest_radius(bodies);
         check_input::space(&boundary, &self.gravity, largest_radius)?;
         for (i, body) in bodies.iter_mut().enumerate() {

@@ -173,3 +173,12 @@ fn finite<S: Scalar, const D: usize>(
         None => Ok(()),
     }
 }
+
+/// Contacts that are integrated need a vector for each grain.
+pub(super) fn accelerations(grains: usize, lent: usize) -> Result<(), Error> {
+    if lent >= grains {
+        return Ok(());
+    }
+    let wanted = "as many as grains: C of Memory; none with PaperMode or Enduring::Paper";
+    Err(Error::input(Subject::World, "memory's accelerations", lent as f64, wanted))
+}

@@ -4,6 +4,7 @@ use super::statistics::Statistics;
 use crate::cluster::Clusters;
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::{Error, Subject};
+use crate::law::Enduring;
 use crate::particle::{Body, Partner};
 use crate::scalar::Scalar;
 
@@ -92,4 +93,13 @@ pub(super) fn check_statistics(statistics: &Statistics) -> Result<(), Error> {
         statistics.max() as f64,
         wanted,
     ))
+}
+
+/// A rule that is in one mode only cannot go on with a world that was in the other.
+pub(super) fn check_mode(rule: Option<Enduring>, saved: Enduring) -> Result<(), Error> {
+    if rule.is_none_or(|mode| mode == saved) {
+        return Ok(());
+    }
+    let wanted = "that of the saved world (PaperMode, IntegratedMode, or neither)";
+    Err(Error::input(Subject::Rule, "mode", 0.0, wanted))
 }

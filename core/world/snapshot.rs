@@ -89,12 +89,13 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         check_snapshot::check(bodies, events, saved.now, planes)?;
         check_snapshot::check_clusters(&saved.clusters, saved.now)?;
         check_snapshot::check_statistics(&saved.statistics)?;
+        check_snapshot::check_mode(rule.enduring(), saved.settings.enduring)?;
         let mut builder =
             World::builder(memory).rule(rule).grains(bodies.iter().map(Body::as_grain))?;
         if !builder.boundary.restore(&saved.boundary) {
             return Err(builder.too_many_planes());
         }
-        builder.gravity = saved.gravity;
+        (builder.gravity, builder.settings) = (saved.gravity, saved.settings);
         let mut world = builder.release(saved.release).tc(saved.t_c).build()?;
         world.take_over(saved)?;
         Ok(world)

@@ -21,7 +21,8 @@ pub struct Buffers<'m, S: Scalar, const D: usize> {
     pub heads: &'m mut [u32],
     /// One place for each plane; eight are enough.
     pub planes: &'m mut [Plane<S, D>],
-    /// One vector for each grain: its acceleration in the last step, where contacts last or crowd.
+    /// One vector for each grain: its acceleration in the last step, where contacts last or crowd. None where the
+    /// world is in the papers' mode.
     pub accelerations: &'m mut [Vector<S, D>],
 }
 
@@ -29,8 +30,7 @@ impl<S: Scalar, const D: usize> Buffers<'_, S, D> {
     /// How many grains fit.
     #[must_use]
     pub fn capacity(&self) -> usize {
-        let lengths =
-            [self.events.len(), self.tree.len(), self.links.len(), self.accelerations.len()];
+        let lengths = [self.events.len(), self.tree.len(), self.links.len()];
         lengths.into_iter().fold(self.bodies.len(), usize::min)
     }
 }
@@ -73,16 +73,17 @@ impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P, V> Arrays<B, E, W, L, P, V> {
     }
 }
 
-type InPlace<S, const D: usize, const N: usize, const P: usize> = Arrays<
+type InPlace<S, const D: usize, const N: usize, const P: usize, const C: usize> = Arrays<
     [Body<S, D>; N],
     [ScheduledEvent<S>; N],
     [u32; N],
     [Link; N],
     [Plane<S, D>; P],
-    [Vector<S, D>; N],
+    [Vector<S, D>; C],
 >;
 
-/// Memory for at most `N` grains and `P` planes, owned in place: no allocator.
+/// Memory for at most `N` grains and `P` planes, owned in place: no allocator. `C` grains can be in contacts that are
+/// integrated: all of them, or 0 for the papers' mode.
 ///
 /// A box in two dimensions has four planes, one in three has six; there can be eight, and a world
 /// that needs fewer can save their places:
@@ -92,12 +93,30 @@ type InPlace<S, const D: usize, const N: usize, const P: usize> = Arrays<
 /// // Four places of 40 bytes less; on 64-bit machines, where bodies begin with a cache line, about that.
 /// assert!(size_of::<Memory<f32, 2, 32, 4>>() <= size_of::<Memory<f32, 2, 32>>() - 2 * 64);
 /// ```
+/// A world in [the papers' mode](crate::law::PaperMode) saves a vector for each grain:
+///
+/// ```
+/// use carom::{Grain, Memory, World, law::{HardSphere, PaperMode}};
+/// assert_eq!(size_of::<Memory<f32, 2, 32, 8>>() - size_of::<Memory<f32, 2, 32, 8, 0>>(), 32 * 8);
+/// let rule = HardSphere { restitution: 0.9 };
+/// let mut memory = Memory::<f32, 2, 32, 8, 0>::new();
+/// assert!(World::builder(&mut memory).rule(PaperMode(rule)).grain(Grain::with_mass(0.5, 1.0))?.start().is_ok());
+/// let mut memory = Memory::<f32, 2, 32, 8, 0>::new();
+/// assert!(World::builder(&mut memory).rule(rule).grain(Grain::with_mass(0.5, 1.0))?.start().is_err());
+/// # Ok::<(), carom::Error>(())
+/// ```
 #[derive(Clone, Debug)]
-pub struct Memory<S: Scalar, const D: usize, const N: usize, const P: usize = MAX_PLANES>(
-    InPlace<S, D, N, P>,
-);
+pub struct Memory<
+    S: Scalar,
+    const D: usize,
+    const N: usize,
+    const P: usize = MAX_PLANES,
+    const C: usize = N,
+>(InPlace<S, D, N, P, C>);
 
-impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, P> {
+impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize>
+    Memory<S, D, N, P, C>
+{
     /// Empty memory, also in a `static`: all its bits are zero, so it takes no flash.
     ///
     /// ```
@@ -129,19 +148,21 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize> Memory<S, D, N, 
         links: [Link::VACANT; N],
         heads: [0; N],
         planes: [Plane::VACANT; P],
-        accelerations: [vector([S::ZERO; D]); N],
+        accelerations: [vector([S::ZERO; D]); C],
     });
 }
 
-impl<S: Scalar, const D: usize, const N: usize, const P: usize> Default for Memory<S, D, N, P> {
+impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize> Default
+    for Memory<S, D, N, P, C>
+{
     /// Empty memory.
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<S: Scalar, const D: usize, const N: usize, const P: usize> Storage<S, D>
-    for Memory<S, D, N, P>
+impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize> Storage<S, D>
+    for Memory<S, D, N, P, C>
 {
     fn buffers(&mut self) -> Buffers<'_, S, D> {
         self.0.buffers()

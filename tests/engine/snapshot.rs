@@ -2,7 +2,7 @@
 
 use crate::gas::{damped_spring, gas};
 use carom::HeapMemory;
-use carom::law::{HardSphere, Outside, Soft};
+use carom::law::{HardSphere, IntegratedMode, Outside, PaperMode, Soft};
 use carom::particle::Body;
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::{ScheduledEvent, Snapshot, Statistics};
@@ -131,4 +131,21 @@ fn a_restored_world_is_stuck_when_the_other_is() {
         .map(|world| (0..1_000_000).map(|_| world.step()).position(|step| step.is_err()));
     assert_eq!(ends[0], ends[1]);
     assert!(ends[0].is_some());
+}
+
+/// A rule of one mode does not take over a world of the other: its clusters would stand still.
+#[test]
+fn a_rule_of_one_mode_refuses_a_snapshot_of_the_other() {
+    let rule = HardSphere { restitution: 0.5 };
+    let mut memory = Memory::<f64, 1, 2>::new();
+    let world = World::builder(&mut memory)
+        .rule(rule)
+        .grain(Grain::with_mass(0.5, 1.0))
+        .unwrap()
+        .start()
+        .unwrap();
+    let saved = world.save();
+    let mut other = Memory::<f64, 1, 2>::new();
+    assert!(World::restore(&mut other, PaperMode(rule), &saved).is_err());
+    assert!(World::restore(&mut other, IntegratedMode(rule), &saved).is_ok());
 }

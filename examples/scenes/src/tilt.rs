@@ -54,7 +54,7 @@ fn glass<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
 }
 
 /// The memory of the tilt box: its grains and its four walls.
-pub type Box32<S> = Memory<S, 2, GRAINS, 4>;
+pub type Box32<S> = Memory<S, 2, GRAINS, 4, 0>;
 
 /// Memory for the tilt box.
 ///
