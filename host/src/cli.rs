@@ -29,7 +29,7 @@ enum Command {
     /// Reproduce a figure of the papers and compare its numbers.
     Figure(commands::figure::FigureOptions),
     /// Compute isolated two-grain collisions listed in a CSV file, as CSV on standard output.
-    Collide(commands::table::CollideOptions),
+    Collide(commands::collide::Options),
     /// Measure pressure and mean free time of hard spheres and disks against published values.
     Fluid(commands::hard::FluidOptions),
     /// Run a dissipative gas for millions of collisions, and check that nothing breaks.
@@ -57,7 +57,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
         Some(Command::Compare(options)) => commands::compare::compare(&options),
         Some(Command::Divergence(options)) => commands::figure::divergence(&options),
         Some(Command::Figure(options)) => commands::figure::figure(&options),
-        Some(Command::Collide(options)) => commands::table::collide(&options),
+        Some(Command::Collide(options)) => commands::collide::run(&options),
         Some(Command::Fluid(options)) => commands::hard::fluid(&options),
         Some(Command::Soak(options)) => commands::hard::soak(&options),
         Some(Command::Sweep(options)) => commands::sweep::sweep(&options),

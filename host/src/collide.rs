@@ -1,7 +1,7 @@
 //! What does each listed collision lead to? Reads CSV rows and a table or the contact equation; writes results as CSV.
 
 use crate::scale::{Contact, Impact, Pair};
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 use carom_tables::contact;
 use carom_tables::read::{End, Groups, Law, ScaledRestitution};
 use csv::StringRecord;
@@ -85,11 +85,15 @@ fn coefficients(impact: &Impact, scaled: &ScaledRestitution<f64>, end: End) -> C
     }
 }
 
-/// Writes the results as CSV, each number with as many digits as a double needs.
+/// Writes the results as CSV, each number with as many digits as a double needs; a bad row has the status `bad` and no
+/// numbers.
 ///
 /// # Errors
 /// An error of `sink`.
-pub fn write(sink: &mut dyn Write, cases: &[Case], outcomes: &[Outcome]) -> Result<()> {
+pub fn write<'a>(
+    sink: &mut dyn Write,
+    results: impl IntoIterator<Item = (&'a str, Option<Outcome>)>,
+) -> Result<()> {
     let mut writer = csv::Writer::from_writer(sink);
     writer.write_record([
         "id",
@@ -100,15 +104,19 @@ pub fn write(sink: &mut dyn Write, cases: &[Case], outcomes: &[Outcome]) -> Resu
         "eps_phi",
         "status",
     ])?;
-    for (case, outcome) in cases.iter().zip(outcomes) {
-        let status = if outcome.inside { "ok" } else { "outside" };
-        let numbers = outcome.coefficients.map_or_else(
+    for (id, outcome) in results {
+        let status = match outcome {
+            Some(Outcome { inside: true, .. }) => "ok",
+            Some(_) => "outside",
+            None => "bad",
+        };
+        let numbers = outcome.and_then(|outcome| outcome.coefficients).map_or_else(
             || std::array::from_fn(|_| String::new()),
             |a| {
                 [a.tau, a.eps_t, a.one_minus_eps_r, a.eps_rdot, a.eps_phi].map(|x| format!("{x:?}"))
             },
         );
-        let mut row = vec![case.id.as_str()];
+        let mut row = vec![id];
         row.extend(numbers.iter().map(String::as_str));
         row.push(status);
         writer.write_record(row)?;
@@ -138,30 +146,49 @@ pub struct Case {
     pub eccentricity: f64,
 }
 
-/// Reads every case of a CSV file with a header.
+/// A row that is no case.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadRow {
+    /// What it calls itself; empty if that cannot be read.
+    pub id: String,
+    /// Its number, line, column, value and what would be right.
+    pub why: String,
+}
+
+/// Reads every row of a CSV file with a header.
 ///
 /// # Errors
-/// A missing column, or the first bad row with its number, column, value and what would be right.
+/// A missing column, or a file that cannot be read on.
 ///
 /// ```
-/// let text = "id,law,k,gamma,Y,nu,A,R1,R2,m1,m2,v,e\nfig6,lsd,2000,0,,,,0.1,0.1,4.775,4.775,5,0.3\n";
-/// let cases = carom_host::collide::read(text.as_bytes()).unwrap();
-/// assert_eq!(cases[0].id, "fig6");
+/// let text = "id,law,k,gamma,Y,nu,A,R1,R2,m1,m2,v,e\nfig6,lsd,2000,0,,,,0.1,0.1,4.775,4.775,5,0.3\nb,wax\n";
+/// let rows = carom_host::collide::read(text.as_bytes()).unwrap();
+/// assert_eq!(rows[0].as_ref().unwrap().id, "fig6");
+/// assert!(rows[1].as_ref().unwrap_err().why.contains("line 3"));
 /// ```
-pub fn read(source: impl Read) -> Result<Vec<Case>> {
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(source);
+pub fn read(source: impl Read) -> Result<Vec<Result<Case, BadRow>>> {
+    let mut builder = csv::ReaderBuilder::new();
+    let mut reader = builder.trim(csv::Trim::All).flexible(true).from_reader(source);
     let header = reader.headers().context("the header cannot be read")?.clone();
     let places = places(&header)?;
-    let mut cases = Vec::new();
+    let mut rows = Vec::new();
     for (index, record) in reader.records().enumerate() {
         let number = index + 1;
-        let record = record.with_context(|| format!("row {number} cannot be read"))?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let row = Row { record: &record, places: &places };
-        let case = row.case().with_context(|| format!("row {number} (line {line})"))?;
-        cases.push(case);
+        match record {
+            Ok(record) => {
+                let row = Row { record: &record, places: &places, columns: header.len() };
+                rows.push(row.case().map_err(|why| row.bad(number, &why)));
+            }
+            Err(error) if error.is_io_error() => {
+                return Err(error).with_context(|| format!("row {number} cannot be read"));
+            }
+            Err(error) => {
+                let why = format!("row {number} cannot be read: {error}");
+                rows.push(Err(BadRow { id: String::new(), why }));
+            }
+        }
     }
-    Ok(cases)
+    Ok(rows)
 }
 
 fn places(header: &StringRecord) -> Result<[usize; COLUMNS.len()]> {
@@ -177,9 +204,19 @@ fn places(header: &StringRecord) -> Result<[usize; COLUMNS.len()]> {
 struct Row<'a> {
     record: &'a StringRecord,
     places: &'a [usize; COLUMNS.len()],
+    /// How many the header has.
+    columns: usize,
 }
 
 impl Row<'_> {
+    fn bad(&self, number: usize, why: &anyhow::Error) -> BadRow {
+        let line = self.record.position().map_or(0, csv::Position::line);
+        BadRow {
+            id: self.text("id").to_owned(),
+            why: format!("row {number} (line {line}): {why:#}"),
+        }
+    }
+
     fn text(&self, column: &str) -> &str {
         let index = COLUMNS.iter().position(|name| *name == column).unwrap_or(0);
         self.record.get(self.places[index]).unwrap_or("")
@@ -219,6 +256,8 @@ impl Row<'_> {
     }
 
     fn case(&self) -> Result<Case> {
+        let fields = self.record.len();
+        ensure!(fields == self.columns, "{fields} fields, but the header has {}", self.columns);
         let contact = self.contact()?;
         let radii = [self.positive("R1", "a radius [m]")?, self.positive("R2", "a radius [m]")?];
         let masses = [self.positive("m1", "a mass [kg]")?, self.positive("m2", "a mass [kg]")?];

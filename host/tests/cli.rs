@@ -63,8 +63,9 @@ fn help_and_version_are_not_errors() {
 
 const HEAD: &str = "id,law,k,gamma,Y,nu,A,R1,R2,m1,m2,v,e";
 
+/// A bad row is named on standard error, the others are answered, and the exit status is 1.
 #[test]
-fn bad_rows_are_named() {
+fn bad_rows_are_named_and_the_others_answered() {
     let folder = tempfile::tempdir().expect("a temporary directory");
     let good = "a,lsd,2000,0,,,,0.1,0.1,1,1,5,0.3";
     for (row, wanted) in [
@@ -80,8 +81,22 @@ fn bad_rows_are_named() {
         ("b,lsd,1e-300,0,,,,1e-300,1e-300,1e300,1e300,1e300,0", "row 2"),
     ] {
         let file = written(folder.path(), "cases.csv", &format!("{HEAD}\n{good}\n{row}\n"));
-        let error = refusal(&["collide", text(&file), "--with", "integrate"]);
-        assert!(error.contains(wanted) && error.contains("row 2"), "{row}: {error}");
+        let output = run(&["collide", text(&file), "--with", "integrate"]);
+        assert_eq!(output.status.code(), Some(1), "{row}");
+        let [answers, errors] =
+            [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+        let lines: Vec<&str> = errors.lines().collect();
+        assert!(
+            lines[0].contains(wanted) && lines[0].contains("row 2 (line 3)"),
+            "{row}: {errors}"
+        );
+        assert!(lines[1].contains("1 of 2 rows") && lines.len() == 2, "{row}: {errors}");
+        let answers: Vec<&str> = answers.lines().skip(1).collect();
+        assert!(
+            answers[0].starts_with("a,0.0") && answers[0].ends_with(",ok"),
+            "{row}: {answers:?}"
+        );
+        assert_eq!(answers[1..], ["b,,,,,,bad"], "{row}");
     }
     let file = written(folder.path(), "cases.csv", "id,law,k\na,lsd,1\n");
     assert!(refusal(&["collide", text(&file)]).contains("column `gamma` is missing"));

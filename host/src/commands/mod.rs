@@ -1,6 +1,7 @@
 //! What does each command do? Reads the options of one command; writes its results.
 
 pub mod bench;
+pub mod collide;
 pub mod compare;
 pub mod figure;
 pub mod hard;

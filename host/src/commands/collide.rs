@@ -1,0 +1,96 @@
+//! `carom collide`: what do collisions lead to? Reads a CSV file; writes CSV, and a line for each bad row.
+
+use crate::collide::{self, BadRow, Case, Integrated, Restitution};
+use crate::tables::{Embedded, Generated, Size};
+use anyhow::{Context, Result, ensure};
+use carom_tables::read::{End, Law};
+use clap::{Args, ValueEnum};
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
+
+/// The options of `carom collide`.
+#[derive(Args, Debug)]
+pub struct Options {
+    /// CSV with a header of at least id,law,k,gamma,Y,nu,A,R1,R2,m1,m2,v,e; law is lsd or
+    /// viscoelastic; SI units; fields a law does not use stay empty.
+    cases: PathBuf,
+    /// Look the coefficients up in a table, or integrate the contact equation to 1e-12.
+    #[arg(long, value_enum, default_value = "table")]
+    with: With,
+    /// Which table.
+    #[arg(long, value_enum, default_value = "standard")]
+    table: Size,
+    /// Where a contact ends: when the force vanishes (MP13) or when the overlap does (L94).
+    #[arg(long, value_enum, default_value = "force")]
+    end: EndOption,
+    /// Outside the table's domain: use the nearest point inside.
+    #[arg(long, value_enum)]
+    outside: Option<OutsideOption>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum With {
+    Table,
+    Integrate,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum EndOption {
+    Force,
+    Overlap,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum OutsideOption {
+    Clamp,
+}
+
+/// Computes every case of the file.
+///
+/// # Errors
+/// A file that cannot be read, or, once the others are answered, that some rows were bad.
+pub fn run(options: &Options) -> Result<()> {
+    let name = options.cases.display();
+    let file = File::open(&options.cases).with_context(|| format!("cannot read {name}"))?;
+    let rows = collide::read(file).with_context(|| format!("{name}"))?;
+    let end = match options.end {
+        EndOption::Force => End::Force,
+        EndOption::Overlap => End::Overlap,
+    };
+    let source: Box<dyn Restitution> = match options.with {
+        With::Integrate => Box::new(Integrated(end)),
+        With::Table if end == End::Force => Box::new(Embedded(options.table)),
+        With::Table => Box::new(Generated::new(options.table, end, &laws(&rows))?),
+    };
+    let clamp = options.outside.is_some();
+    let mut sink = BufWriter::new(std::io::stdout().lock());
+    let answer = |row: &'_ Result<Case, BadRow>| match row {
+        Ok(case) => Some(collide::solve(source.as_ref(), case, end, clamp)),
+        Err(_) => None,
+    };
+    collide::write(&mut sink, rows.iter().map(|row| (id(row), answer(row))))?;
+    sink.flush()?;
+    let bad: Vec<&BadRow> = rows.iter().filter_map(|row| row.as_ref().err()).collect();
+    bad.iter().try_for_each(|row| writeln!(std::io::stderr(), "carom: {name}: {}", row.why))?;
+    ensure!(bad.is_empty(), "{name}: {} of {} rows have no answer", bad.len(), rows.len());
+    Ok(())
+}
+
+fn id(row: &Result<Case, BadRow>) -> &str {
+    match row {
+        Ok(case) => &case.id,
+        Err(bad) => &bad.id,
+    }
+}
+
+/// The laws that occur.
+fn laws(rows: &[Result<Case, BadRow>]) -> Vec<Law> {
+    let mut laws = Vec::new();
+    for case in rows.iter().flatten() {
+        if !laws.contains(&case.contact.law()) {
+            laws.push(case.contact.law());
+        }
+    }
+    laws
+}
