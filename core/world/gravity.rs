@@ -22,6 +22,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Err(Error::input(Subject::World, "gravity", value, "a finite number"));
         }
         check_scales::gravity(&gravity, self.particles.largest_radius)?;
+        if gravity == *self.domain.gravity() {
+            return Ok(());
+        }
         self.set_clocks_back(self.clock.now);
         self.progress.at_once = 0;
         let before = *self.domain.gravity();
