@@ -23,6 +23,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Err(Error::input(Subject::World, "gravity", value, "a finite number"));
         }
         check_scales::gravity(&gravity, self.particles.largest_radius)?;
+        if gravity == *self.domain.gravity() {
+            return Ok(());
+        }
         if self.parameters.settings.is_integrated(&self.rule) {
             return self.change_gravity(gravity);
         }
@@ -40,10 +43,6 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// The same where contacts are integrated: those with a plane go on by forces, and sleepers wake unless
     /// the change is less than what their contacts can take.
     fn change_gravity(&mut self, gravity: Vector<S, D>) -> Result<(), Error> {
-        let before = *self.domain.gravity();
-        if gravity == before {
-            return Ok(());
-        }
         self.cluster_wall_contacts();
         if self.clusters.count > 0 && self.clusters.time < self.clock.now {
             self.move_clusters(self.clock.now)?;

@@ -89,6 +89,9 @@ pub struct DivergenceOptions {
     /// Print the errors as JSON.
     #[arg(long)]
     json: bool,
+    /// Print the table in docs/guide/exactness.md: the collisions 1, 2, 5, 10, 20, 50 and so on.
+    #[arg(long, conflicts_with = "json")]
+    markdown: bool,
     /// Draw them into this file (.png or .svg).
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -117,6 +120,8 @@ pub fn divergence(options: &DivergenceOptions) -> Result<()> {
     let rows: Vec<Row> = study.iter().flat_map(rows).collect();
     if options.json {
         writeln!(out, "{}", serde_json::to_string_pretty(&rows)?)?;
+    } else if options.markdown {
+        markdown(&mut out, &study)?;
     } else {
         print(&mut out, &rows)?;
     }
@@ -136,6 +141,25 @@ fn rows(errors: &Errors) -> impl Iterator<Item = Row> + '_ {
         median: errors.median(k),
         max: errors.max(k),
     })
+}
+
+/// Median and in brackets the largest, a line for each of some collisions.
+fn markdown(out: &mut impl Write, study: &[Errors]) -> Result<()> {
+    let names: Vec<_> =
+        study.iter().map(|errors| errors.variant.name().replace('*', "\\*")).collect();
+    writeln!(out, "| after collision | {} |", names.join(" | "))?;
+    writeln!(out, "|---|{}", "---|".repeat(names.len()))?;
+    let last = study.iter().map(|errors| errors.by_collision.len()).max().unwrap_or(0);
+    let some = (0..).flat_map(|power| [1, 2, 5].map(|first| first * 10_usize.pow(power)));
+    for collision in some.take_while(|&collision| collision <= last) {
+        let show = |x: Option<f64>| x.map_or_else(|| "-".to_owned(), |x| format!("{x:.1e}"));
+        let cell = |errors: &Errors| {
+            format!("{} ({})", show(errors.median(collision - 1)), show(errors.max(collision - 1)))
+        };
+        let cells: Vec<_> = study.iter().map(cell).collect();
+        writeln!(out, "| {collision} | {} |", cells.join(" | "))?;
+    }
+    Ok(())
 }
 
 fn print(out: &mut impl Write, rows: &[Row]) -> Result<()> {
