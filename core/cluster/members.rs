@@ -1,7 +1,7 @@
 //! Who is in a cluster, and who sleeps? A list through the bodies, ordered by number; reads and writes bodies.
 
 use crate::particle::{Body, Partner};
-use crate::scalar::{Scalar, Vector};
+use crate::scalar::{Scalar, Vector, norm};
 use crate::space::{Domain, Particles, flight};
 
 /// The clustered grains and their common time.
@@ -16,7 +16,7 @@ pub(crate) struct Clusters<S> {
     pub time: S,
     /// How long the next step is.
     pub step: S,
-    /// How fast the fastest of them is.
+    /// None of them is faster: after a step, and when one joins or is hit.
     pub speed: S,
 }
 
@@ -31,6 +31,11 @@ impl<S: Scalar> Clusters<S> {
     #[inline]
     pub fn due(&self) -> S {
         if self.count == 0 { S::NEVER } else { self.time + self.step }
+    }
+
+    /// The step under way ends no later than this long after it began, but not before now.
+    pub fn shorten(&mut self, step: S, now: S) {
+        self.step = self.step.min(step.max(now - self.time));
     }
 
     /// The first clustered grain.
@@ -108,8 +113,10 @@ pub(crate) fn join<S: Scalar, const D: usize>(
     };
     particles.put(i, body);
     if clusters.count == 0 {
-        (clusters.time, clusters.step) = (now, S::zero());
+        (clusters.time, clusters.step, clusters.speed) = (now, S::zero(), S::zero());
     }
+    let fall = norm(domain.gravity()) * (now - body.clock);
+    clusters.speed = clusters.speed.max(norm(&body.velocity) + fall);
     clusters.insert(particles.bodies, i);
 }
 

@@ -18,6 +18,8 @@ pub(crate) struct Settings<S> {
     pub gravity: S,
     /// The smallest radius and mass.
     pub smallest: [S; 2],
+    /// The largest speed that a plate's vibration gives it.
+    pub plate_speed: S,
     /// Whether something may collide at once: the rule has no force law, or a plane is hard.
     pub has_instantaneous: bool,
     /// Whether the rule has no force law for some pair of materials.
@@ -35,6 +37,7 @@ impl<S: Scalar> Settings<S> {
             contact_time: None,
             gravity: S::zero(),
             smallest: [S::one(), S::one()],
+            plate_speed: S::zero(),
             has_instantaneous: true,
             is_rule_instantaneous: true,
             has_forces: false,
@@ -63,9 +66,9 @@ impl<S: Scalar> Settings<S> {
             self.smallest = [radius.min(body.radius), mass.min(body.mass)];
             fastest = fastest.max(norm(&body.velocity));
         }
-        for plane in boundary.planes() {
-            fastest = plane.vibration.map_or(fastest, |v| fastest.max(v.peak_speed()));
-        }
+        let plates = boundary.planes().iter().filter_map(|plane| plane.vibration);
+        self.plate_speed = plates.fold(S::zero(), |most, plate| most.max(plate.peak_speed()));
+        fastest = fastest.max(self.plate_speed);
         let is_hard = |plane: &Plane<S, D>| matches!(plane.surface, Surface::Hard(_));
         self.is_rule_instantaneous = self.has_pair(rule, bodies, false);
         self.has_forces = self.has_pair(rule, bodies, true);
@@ -154,14 +157,27 @@ impl<S: Scalar> Settings<S> {
         S::from_f64(10.0 * core::f64::consts::PI) / self.frequency(radius)
     }
 
+    /// Nobody counts as slower than this, (g R)^½/1024, where the length of a step is chosen: it must not be
+    /// that of grains at rest, whose contact would last for ever, when they begin to fall.
+    fn least_speed(&self) -> S {
+        let [radius, _] = self.smallest;
+        self.gravity.times(radius).sqrt() * S::from_f32(1.0 / 1024.0)
+    }
+
     /// The step of clustered grains of which none is faster than `speed`, no pair deeper than `overlap`, and
     /// no stand-in's ω above `frequency`.
     pub fn step<R: Rule<S>>(&self, rule: &R, speed: S, (overlap, frequency): (S, S)) -> S {
-        let impact = self.small_pair(speed + speed);
+        let speed = speed.max(self.plate_speed).max(self.least_speed());
         // A body pressed from all sides swings up to √3 times as fast as a pair does.
-        let soft = rule
-            .contact_time(&impact, overlap)
-            .map(|time| time / (self.steps * S::from_f64(1.732_050_807_568_877_2)));
+        let part = self.steps * S::from_f64(1.732_050_807_568_877_2);
+        let soft = |speed| {
+            rule.contact_time(&self.small_pair(speed + speed), overlap).map(|time| time / part)
+        };
+        let soft = match soft(speed) {
+            // Gravity makes it faster within the step.
+            Some(first) if self.gravity * first > speed => soft(self.gravity * first),
+            first => first,
+        };
         let stand_in =
             self.has_instantaneous && (self.gravity > S::zero() || self.contact_time.is_some());
         let hard = stand_in.then(|| {

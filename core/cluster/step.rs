@@ -52,7 +52,7 @@ pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
         woken.iter().for_each(|&k| join(particles, domain, clusters, (k, to)));
         clusters.step = settings.step(rule, fastest, (deepest, frequency));
     } else {
-        clusters.step = settings.step(rule, speed(particles, clusters), (S::zero(), S::zero()));
+        clusters.step = settings.step(rule, clusters.speed, (S::zero(), S::zero()));
     }
 }
 
@@ -67,19 +67,6 @@ fn for_each<S: Scalar, const D: usize>(
         visit(particles, i);
         next = particles.body(i).and_then(|body| body.partner.next_clustered());
     }
-}
-
-/// The largest speed of a clustered grain.
-fn speed<S: Scalar, const D: usize>(
-    particles: &mut Particles<'_, S, D>,
-    clusters: &Clusters<S>,
-) -> S {
-    let mut fastest = S::zero();
-    for_each(particles, clusters, |particles, i| {
-        let speed = particles.body(i).map_or(S::zero(), |body| norm(&body.velocity));
-        fastest = fastest.max(speed);
-    });
-    fastest
 }
 
 /// The first half of the step. Whoever was free a moment ago is taken to its beginning first.

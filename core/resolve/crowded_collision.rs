@@ -201,6 +201,9 @@ fn kick<S: Scalar, const D: usize>(
     let consecutive_collisions =
         if soon { kept.consecutive_collisions.saturating_add(1) } else { 0 };
     let (position, velocity) = (body.position, body.velocity + change);
+    if is_settled(body) {
+        context.clusters.speed = context.clusters.speed.max(norm(&velocity));
+    }
     let (clock, reference_time) = (context.now(), context.now());
     let kicked = Body { position, velocity, clock, reference_time, consecutive_collisions, ..kept };
     context.replace(x, kicked);

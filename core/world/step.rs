@@ -216,7 +216,20 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             clusters: &mut self.clusters,
             effects,
         };
-        resolve::resolve(&mut context, &self.rule, (grain, event))
+        let before = context.clusters.speed;
+        let outcome = resolve::resolve(&mut context, &self.rule, (grain, event));
+        if self.has_clusters() && self.clusters.speed > before {
+            self.shorten_step();
+        }
+        outcome
+    }
+
+    /// Somebody faster is clustered now, for whom the step under way may be too long.
+    #[inline(never)]
+    fn shorten_step(&mut self) {
+        let none = (S::zero(), S::zero());
+        let step = self.parameters.settings.step(&self.rule, self.clusters.speed, none);
+        self.clusters.shorten(step, self.clock.now);
     }
 
     /// Predicts the next events of the grains that an event concerned, and checks that they still can be

@@ -3,7 +3,7 @@
 use carom::law::{HardSphere, Outside, Soft, Viscoelastic};
 use carom::scalar::{I16F16, I32F32};
 use carom::space::{Plane, Surface};
-use carom::{Enduring, Error, Grain, Instant, Memory, World};
+use carom::{Error, Grain, Instant, Memory, World};
 
 use crate::fixed::{n, rubber};
 
@@ -20,7 +20,6 @@ fn what_does_not_fit_is_named_with_the_unit_to_choose() {
     let start = |grain: Grain<I32F32, 1>, rule: Viscoelastic<I32F32>, wall: f64| {
         let mut memory = Memory::<I32F32, 1, 2>::new();
         let mut world = World::builder(&mut memory)
-            .enduring(Enduring::Paper)
             .plane(Plane::new([n(1.0)], n(wall), Surface::Rule))
             .gravity([n(-9.81)])
             .rule(Soft::viscoelastic(rule, Outside::HardSphere))
@@ -58,7 +57,6 @@ fn what_does_not_fit_is_named_with_the_unit_to_choose() {
 fn a_grain_that_leaves_the_range_is_an_error_not_a_wrap() {
     let mut memory = Memory::<I16F16, 2, 1>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .gravity([n(0.0), n(-0.01)])
         .rule(HardSphere { restitution: n(1.0) })
         .grain(Grain::with_mass(n(1.0), n(1.0)).moving([n(0.5), n(0.0)]))
@@ -78,7 +76,6 @@ fn a_collision_far_beyond_the_clock_s_range_happens_at_its_time() {
     // One step of speed is 2⁻¹⁶, so a gap of 3 takes 196,608 units, six times what the clock can count.
     let mut memory = Memory::<I16F16, 1, 2>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .rule(HardSphere { restitution: n(1.0) })
         .grain(Grain::with_mass(n(1.0), n(1.0)).moving([I16F16::DELTA]))
         .unwrap()
@@ -96,7 +93,6 @@ fn a_collision_far_beyond_the_clock_s_range_happens_at_its_time() {
 fn a_world_at_rest_can_wait_for_ever() {
     let mut memory = Memory::<I32F32, 1, 1>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .rule(HardSphere { restitution: n(1.0) })
         .grain(Grain::with_mass(n(1.0), n(1.0)))
         .unwrap()
