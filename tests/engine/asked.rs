@@ -68,7 +68,6 @@ fn a_pair_is_asked_for_its_reduced_mass_effective_radius_and_both_speeds() {
     let heard = Cell::new(None);
     let mut memory = Memory::<f64, 2, 2>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .rule(Listener(&heard))
         .grain(Grain::with_mass(4.0, 3.0).moving([2.0, 1.0]).of_material(1))
         .unwrap()
@@ -96,7 +95,6 @@ fn a_plate_at_its_top_asks_with_what_is_left_of_the_weight() {
     let plate = Plane::new([0.0, 1.0], 0.0, Surface::Rule);
     let mut memory = Memory::<f64, 2, 1>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .plane(plate.vibrating(Vibration::new(a0, f).starting_at(0.25)))
         .gravity([0.0, -g])
         .rule(Listener(&heard))

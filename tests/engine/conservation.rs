@@ -191,7 +191,7 @@ proptest! {
     #[test]
     fn viscoelastic_contacts_lose_energy_and_keep_momentum(seed in 0_u64..1000) {
         let mut storage = HeapMemory::with_capacity(20);
-        let mut world = World::builder(&mut storage).enduring(Enduring::Paper)
+        let mut world = World::builder(&mut storage)
             .periodic([[0.0, 6.0]; 2])
             .rule(Soft::viscoelastic(rubber(), Outside::HardSphere))
             .grains(gas::<f64, 2>(20, seed, 6.0, [0.2, 0.4])).unwrap()

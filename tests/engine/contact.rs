@@ -12,7 +12,6 @@ const SPRING: LinearDashpot<f64> = LinearDashpot { stiffness: 1.0e4, damping: 0.
 fn a_central_elastic_contact_lasts_half_a_period_and_swaps_velocities() {
     let mut memory = Memory::<f64, 1, 2>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .rule(Soft::linear_dashpot(SPRING, Outside::Reject))
         .grain(Grain::with_mass(0.5, 2.0).moving([1.0]))
         .unwrap()
@@ -41,7 +40,6 @@ fn a_central_elastic_contact_lasts_half_a_period_and_swaps_velocities() {
 fn unequal_masses_part_as_conservation_demands() {
     let mut memory = Memory::<f64, 2, 2>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .rule(HardSphere { restitution: 0.5 })
         .grain(Grain::with_mass(0.5, 1.0).moving([3.0, 1.0]))
         .unwrap()
@@ -52,7 +50,6 @@ fn unequal_masses_part_as_conservation_demands() {
     assert!(world.step().unwrap().is_none() || world.statistics().collisions == 1);
     let mut memory = Memory::<f64, 1, 2>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .rule(HardSphere { restitution: 0.5 })
         .grain(Grain::with_mass(0.5, 1.0).moving([3.0]))
         .unwrap()
@@ -70,7 +67,6 @@ fn unequal_masses_part_as_conservation_demands() {
 fn a_soft_wall_holds_a_grain_for_half_a_period_and_leaves_its_tangential_motion() {
     let mut memory = Memory::<f64, 2, 1>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .walls([[0.0, 10.0]; 2])
         .rule(Integrated::new(SPRING))
         .grain(Grain::with_mass(0.5, 4.0).at([2.5, 2.0]).moving([-1.0, 0.5]))
@@ -122,7 +118,6 @@ fn a_bouncing_ball_keeps_epsilon_of_its_speed_each_time() {
 fn gravity_changed_in_the_middle_of_a_contact_moves_only_the_centre_of_mass() {
     let mut memory = Memory::<f64, 2, 2>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .rule(Integrated::new(SPRING))
         .grain(Grain::with_mass(0.5, 2.0).moving([1.0, 0.0]))
         .unwrap()
@@ -198,7 +193,6 @@ fn a_rule_by_material_uses_the_pair_s_own_whatever_the_order() {
         let mut memory = Memory::<f64, 1, 2>::new();
         let (m, n) = if swap { (1, 0) } else { (0, 1) };
         let mut world = World::builder(&mut memory)
-            .enduring(Enduring::Paper)
             .rule(rule)
             .grain(Grain::with_mass(0.5, 1.0).moving([1.0]).of_material(m))
             .unwrap()
@@ -217,7 +211,6 @@ fn outside_the_table_the_user_s_choice_holds_and_is_counted() {
     let run = |outside| -> Result<(u64, u64), Error> {
         let mut memory = Memory::<f64, 1, 2>::new();
         let mut world = World::builder(&mut memory)
-            .enduring(Enduring::Paper)
             .rule(Soft::linear_dashpot(very_soft, outside))
             .grain(Grain::with_mass(0.5, 1.0).moving([10.0]))?
             .grain(Grain::with_mass(0.5, 1.0).at([2.0]))?
@@ -235,7 +228,6 @@ fn the_central_rule_has_the_law_s_restitution_and_no_duration() {
     let law = LinearDashpot { stiffness: 1.0e4, damping: 10.0 };
     let mut memory = Memory::<f64, 1, 2>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .rule(Central(Integrated::new(law)))
         .grain(Grain::with_mass(0.5, 1.0).moving([1.0]))
         .unwrap()

@@ -91,7 +91,6 @@ fn a_snapshot_keeps_the_phase_of_its_plates() {
     let rule = HardSphere { restitution: 0.9 };
     let mut memory = Memory::<f64, 1, 1>::new();
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .plane(plane)
         .gravity([-G])
         .rule(rule)

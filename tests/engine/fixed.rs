@@ -237,7 +237,6 @@ fn a_column_on_a_vibrating_plate_runs() {
     let grains =
         (0..6).map(|i| Grain::with_mass(n(1.0), n(10.0)).at([n(2.0 + 2.2 * f64::from(i))]));
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .plane(plate)
         .gravity([n(-0.00981)])
         .rule(HardSphere { restitution: n(0.9) })

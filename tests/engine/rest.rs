@@ -182,7 +182,6 @@ fn soft_grains_come_to_rest() {
     let mut memory = Memory::<f64, 1, 3>::new();
     let grains = (0..3).map(|i| Grain::with_mass(0.05, 1.0).at([0.06 + f64::from(i) * 0.11]));
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
         .plane(Plane::new([1.0], 0.0, Surface::Rule))
         .gravity([-G])
         .rule(Soft::linear_dashpot(law, Outside::HardSphere))

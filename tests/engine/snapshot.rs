@@ -13,7 +13,6 @@ fn a_snapshot_goes_on_with_the_same_bits() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
     let mut storage = HeapMemory::with_capacity(20);
     let mut world = World::builder(&mut storage)
-        .enduring(Enduring::Paper)
         .walls([[0.0, 5.0]; 2])
         .gravity([0.0, -0.1])
         .rule(rule)
@@ -46,7 +45,6 @@ fn a_snapshot_that_is_not_one_is_refused() {
     let rule = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
     let mut storage = HeapMemory::with_capacity(2);
     let world = World::builder(&mut storage)
-        .enduring(Enduring::Paper)
         .rule(rule)
         .grains(gas::<f64, 2>(2, 1, 5.0, [0.2, 0.4]))
         .unwrap()
