@@ -68,6 +68,16 @@ pub enum Error {
         /// Scaled dissipation.
         c_dis: f64,
     },
+    /// The contact time of slow hard grains is so long that one at rest would sink in by more than a twentieth
+    /// of its radius.
+    LongContact {
+        /// The contact time.
+        contact_time: f64,
+        /// By how much the smallest grain would overlap what carries it, in units of its radius.
+        overlap: f64,
+        /// The longest contact time that gravity and the smallest grain allow.
+        longest: f64,
+    },
     /// A rule gave something that is not the outcome of a collision.
     InvalidOutcome {
         /// Which number.
@@ -182,6 +192,10 @@ impl fmt::Display for Error {
                 f,
                 "grain {grain} meets {with} outside the table's domain: e = {eccentricity}, 1/l = {eta}, c_dis = {c_dis}; \
                  choose Outside::Clamp or Outside::HardSphere, or a wider table"
+            ),
+            Self::LongContact { contact_time, overlap, longest } => write!(
+                f,
+                "world: contact time is {contact_time}, must be at most {longest}: at rest a grain would overlap                  what carries it by {overlap} of its radius, at most 0.05 is allowed"
             ),
             Self::InvalidOutcome { field, value, wanted } => {
                 write!(f, "the rule returned {field} = {value}, must be {wanted}")

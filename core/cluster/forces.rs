@@ -7,7 +7,7 @@ use super::members::Clusters;
 use super::settings::Settings;
 use super::sleep::rounded_speed;
 use crate::law::{Impact, Rule};
-use crate::particle::Body;
+use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, dot, norm};
 use crate::space::{Domain, Particles, Plane, Surface};
 
@@ -19,6 +19,26 @@ const MAX_WOKEN: usize = 16;
 
 /// Neighbours of one grain, the smallest numbers first: so many at a time.
 type Few<const N: usize = 16> = heapless::Vec<usize, N>;
+
+/// Two bodies that overlap by more than an eighth of the smaller radius: more than a hundred grains' weight
+/// presses them together, or nothing can give way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Crush<S> {
+    pub grain: usize,
+    pub with: Partner,
+    pub overlap: S,
+    /// The overlap in units of the smaller radius.
+    part: S,
+}
+
+impl<S: Scalar> Crush<S> {
+    /// Those who touch, if they are crushed.
+    fn of(touching: &Touching<S>, grain: usize, with: Partner) -> Option<Self> {
+        let overlap = touching.overlap;
+        let is_crushed = overlap * S::from_f32(8.0) > touching.radius;
+        is_crushed.then(|| Self { grain, with, overlap, part: overlap / touching.radius })
+    }
+}
 
 /// A step's forces, and what they show.
 pub(super) struct Forces<'a, 'm, S: Scalar, const D: usize, R> {
@@ -34,6 +54,8 @@ pub(super) struct Forces<'a, 'm, S: Scalar, const D: usize, R> {
     pub deepest: S,
     /// The largest ω of a stand-in.
     pub frequency: S,
+    /// Who is crushed most.
+    pub crush: Option<Crush<S>>,
     /// Sleeping grains that something moves.
     pub woken: heapless::Vec<usize, MAX_WOKEN>,
 }
@@ -108,7 +130,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> Forces<'_, '_, S, D, R> {
         let slow = self.settings.sleep_speed(b.radius).max(rounded_speed(a, self.step));
         let limit = slow * S::from_f32(2.0);
         let (mass, other_mass, sleeps) = (a.mass, b.mass, b.is_asleep());
-        let force = self.mean_force(&touching);
+        let force = self.mean_force(&touching, (i, Partner::grain(k)));
         if !sleeps {
             self.push(k, -e * (force / other_mass));
         } else if moves > limit.times(limit) {
@@ -117,11 +139,17 @@ impl<S: Scalar, const D: usize, R: Rule<S>> Forces<'_, '_, S, D, R> {
         self.push(i, e * (force / mass));
     }
 
-    /// The mean force of two over the step; what it says of the next step's length is kept.
-    fn mean_force(&mut self, touching: &Touching<S>) -> S {
+    /// The mean force of two over the step; what it says of the next step's length is kept, and whether they
+    /// are crushed.
+    fn mean_force(&mut self, touching: &Touching<S>, (i, with): (usize, Partner)) -> S {
         let mean = touching.mean_force(self.rule, self.settings, self.step);
         self.deepest = self.deepest.max(touching.overlap);
         self.frequency = self.frequency.max(mean.frequency);
+        if let Some(crush) = Crush::of(touching, i, with)
+            && self.crush.is_none_or(|most| crush.part > most.part)
+        {
+            self.crush = Some(crush);
+        }
         mean.force
     }
 
@@ -147,7 +175,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> Forces<'_, '_, S, D, R> {
             }
             let touching = with_plane(body, plane, overlap, self.middle);
             let (normal, mass) = (plane.normal, body.mass);
-            let force = self.mean_force(&touching);
+            let force = self.mean_force(&touching, (i, Partner::plane(p)));
             self.push(i, normal * (force / mass));
         }
     }

@@ -10,7 +10,7 @@ mod step;
 mod watch;
 
 pub(crate) use crowd::{Course, Party, is_crowded};
-pub(crate) use forces::MAX_COLLISIONS;
+pub(crate) use forces::{Crush, MAX_COLLISIONS};
 pub(crate) use members::{Clusters, join, wake};
 pub(crate) use settings::Settings;
 pub(crate) use step::{settle, step};

@@ -1,5 +1,6 @@
 //! How are contacts treated that last or crowd, and how stiff is what stands in for a hard one? Reads and writes nothing else.
 
+use crate::error::Error;
 use crate::law::{Enduring, Impact, Rule};
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, WideProduct, norm};
@@ -117,6 +118,20 @@ impl<S: Scalar> Settings<S> {
             let g = speed.times(speed).divided_by(radius);
             self.gravity = if g > S::zero() && g.is_finite() { g } else { S::RESOLUTION };
         }
+    }
+
+    /// Whether grains at rest under this gravity overlap by no more than a twentieth of their radius.
+    pub fn check_contact_time<const D: usize>(&self, gravity: &Vector<S, D>) -> Result<(), Error> {
+        let Some(time) = self.contact_time else { return Ok(()) };
+        // x = g (t/π)².
+        let [t, g, radius] = [time, norm(gravity), self.smallest[0]].map(|x| x.to_f64());
+        let shortest = t / core::f64::consts::PI;
+        let overlap = g * shortest * shortest / radius;
+        if overlap <= 0.05 {
+            return Ok(());
+        }
+        let longest = core::f64::consts::PI * libm::sqrt(0.05 * radius / g);
+        Err(Error::LongContact { contact_time: t, overlap, longest })
     }
 
     /// Two of the smallest grains that meet at this speed.

@@ -4,7 +4,7 @@
 //! evaluation of forces, of second order, and symmetric in time where nothing is lost. A dashpot needs the
 //! velocity in the middle: it is predicted by the last step's acceleration.
 
-use super::forces::Forces;
+use super::forces::{Crush, Forces};
 use super::members::{Clusters, join, leave, sleep};
 use super::settings::Settings;
 use super::sleep::{may_sleep, rounded_speed};
@@ -16,16 +16,17 @@ use crate::space::{Domain, Particles};
 /// A grain that has touched nothing for so many steps flies freely.
 const FREE_AFTER: f32 = 8.0;
 
-/// Clustered grains move on to this time, which is not later than the step is long.
+/// Clustered grains move on to this time, which is not later than the step is long. Returns who is crushed most.
 pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
     particles: &mut Particles<'_, S, D>,
     domain: &Domain<'_, S, D>,
     clusters: &mut Clusters<S>,
     (rule, settings): (&R, &Settings<S>),
     to: S,
-) {
+) -> Option<Crush<S>> {
     let (from, step) = (clusters.time, to - clusters.time);
     let half = step * S::half();
+    let mut crush = None;
     if step > S::zero() {
         for_each(particles, clusters, |particles, i| {
             to_the_middle(particles, domain, i, [from, half]);
@@ -40,9 +41,11 @@ pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
             step,
             deepest: S::zero(),
             frequency: S::zero(),
+            crush: None,
             woken: heapless::Vec::new(),
         };
         forces.add(clusters);
+        crush = forces.crush;
         let (deepest, frequency, woken) = (forces.deepest, forces.frequency, forces.woken);
         let mut fastest = S::zero();
         for_each(particles, clusters, |particles, i| {
@@ -54,6 +57,7 @@ pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
     } else {
         clusters.step = settings.step(rule, clusters.speed, (S::zero(), S::zero()));
     }
+    crush
 }
 
 /// Visits all clustered grains by their numbers.

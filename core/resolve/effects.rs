@@ -27,6 +27,13 @@ pub enum EventOutcome<S> {
     Joined,
     /// Clustered grains moved a step on.
     Stepped,
+    /// The same, and the event's grain and partner were crushed: they overlapped by more than an eighth of
+    /// the smaller radius, and no other two by a larger part of theirs. What presses them leaves less room
+    /// than they need, or is heavier than some hundred grains.
+    Crushed {
+        /// By how much they overlapped in the middle of the step.
+        overlap: S,
+    },
     /// A grain crossed into another cell; its trajectory is the same.
     CellCrossed,
     /// Nothing: a prediction was renewed, or a grain is still supported, or two part already.

@@ -173,7 +173,8 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     /// smaller of the two. [`Enduring::Integrated`] only.
     ///
     /// # Units
-    /// Time; above zero.
+    /// Time; above zero, and at most 0.7 (R/g)^½: else grains at rest would overlap by more than a twentieth of
+    /// their radius ([`Error::LongContact`] from `start`, or from [`World::set_gravity`]).
     #[must_use]
     pub fn contact_time(mut self, time: S) -> Self {
         if !(time > S::zero() && time.is_finite()) {
@@ -275,6 +276,9 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         check_scales::scales(&boundary, &self.gravity, bodies)?;
         events.fill(ScheduledEvent::NONE);
         let settings = self.settings.adopted(&self.rule, &boundary, &self.gravity, bodies);
+        if settings.is_integrated(&self.rule) {
+            settings.check_contact_time(&self.gravity)?;
+        }
         let sight = settings.sight(largest_radius);
         let grid = Grid::choose(&boundary, bodies, sight, heads.len());
         let min_hop_time = min_hop_time(&self.gravity, largest_radius);

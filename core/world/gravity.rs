@@ -12,7 +12,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// Changes gravity now: between events, in the middle of contacts too. All events are predicted anew.
     ///
     /// # Errors
-    /// [`Error::Input`] if a component is not finite.
+    /// [`Error::Input`] if a component is not finite; [`Error::LongContact`]. Nothing has changed then.
     pub fn set_gravity(&mut self, gravity: [S; D]) -> Result<(), Error> {
         let gravity = Vector::from(gravity);
         if let Some(most) = S::RANGE.filter(|_| !gravity.iter().all(|x| x.in_range())) {
@@ -27,6 +27,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Ok(());
         }
         if self.parameters.settings.is_integrated(&self.rule) {
+            self.parameters.settings.check_contact_time(&gravity)?;
             return self.change_gravity(gravity);
         }
         self.set_clocks_back(self.clock.now);

@@ -4,7 +4,7 @@ use super::observe::{Event, Observer};
 use super::state::World;
 use super::statistics::Statistics;
 use super::view::View;
-use crate::cluster;
+use crate::cluster::{self, Crush};
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::{Error, Subject};
 use crate::law::Rule;
@@ -109,19 +109,24 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let (at, kind) = (self.now(), EventKind::Step);
         let mut event = Event { at, grain, partner: Partner::NOTHING, kind, outcome: None };
         observer.before(&event, self.view());
-        self.move_clusters(to)?;
+        let crush = self.move_clusters(to)?;
         self.statistics.steps += 1;
+        self.statistics.crushed += u64::from(crush.is_some());
         event.outcome = Some(EventOutcome::Stepped);
+        if let Some(Crush { grain, with, overlap, .. }) = crush {
+            (event.grain, event.partner) = (grain, with);
+            event.outcome = Some(EventOutcome::Crushed { overlap });
+        }
         observer.after(&event, self.view());
         self.keep_time(kind);
         Ok(event)
     }
 
     /// The same without an observer.
-    pub(super) fn move_clusters(&mut self, to: S) -> Result<(), Error> {
+    pub(super) fn move_clusters(&mut self, to: S) -> Result<Option<Crush<S>>, Error> {
         let rule = (&self.rule, &self.parameters.settings);
-        cluster::step(&mut self.particles, &self.domain, &mut self.clusters, rule, to);
-        self.predict_changed()
+        let crush = cluster::step(&mut self.particles, &self.domain, &mut self.clusters, rule, to);
+        self.predict_changed().map(|()| crush)
     }
 
     /// Who of the clustered grains flies or sleeps from now on, and what happens to each next.

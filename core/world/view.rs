@@ -14,6 +14,22 @@ pub struct View<'a, S: Scalar, const D: usize> {
     pub(super) statistics: &'a Statistics,
 }
 
+/// How a grain moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Motion {
+    /// Freely: from event to event.
+    Flight,
+    /// In a contact of two, or of one with a plane, which ends at a time that is known.
+    Contact,
+    /// Under the forces of all that it touches, step by step.
+    Cluster,
+    /// Not, or as what carries it does.
+    Rest,
+}
+
 impl<S: Scalar, const D: usize> core::fmt::Debug for View<'_, S, D> {
     /// The present, gravity and every grain as it is now.
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
@@ -73,6 +89,18 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
             radius,
             mass,
             material,
+        })
+    }
+
+    /// How a grain moves now.
+    #[must_use]
+    pub fn motion(&self, index: usize) -> Option<Motion> {
+        let body = self.particles.body(index)?;
+        Some(match body {
+            _ if body.is_supported() => Motion::Rest,
+            _ if body.is_clustered() => Motion::Cluster,
+            _ if body.in_contact() => Motion::Contact,
+            _ => Motion::Flight,
         })
     }
 

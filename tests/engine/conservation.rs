@@ -3,6 +3,7 @@
 use crate::gas::{elastic_spring, gas, length, rubber};
 use carom::HeapMemory;
 use carom::law::{HardSphere, Outside, Rule, Soft};
+use carom::world::Motion;
 use carom::{Enduring, Release, Scalar, World};
 use proptest::prelude::*;
 
@@ -13,10 +14,10 @@ const HARD: HardSphere<f64> = HardSphere { restitution: 1.0 };
 /// A third body that comes while a contact cannot be interrupted yet may sink in. Such a pair, which then is put
 /// where its contact ends, loses energy and keeps angular momentum: once in a million collisions here. It is not
 /// what is looked for and is left out, and there may be no more of them than deferred collisions.
-fn drift(rule: impl Rule<f64>, events: u64) -> (f64, f64) {
+fn drift(rule: impl Rule<f64>, enduring: Enduring, events: u64) -> (f64, f64) {
     let mut storage = HeapMemory::with_capacity(50);
     let mut world = World::builder(&mut storage)
-        .enduring(Enduring::Paper)
+        .enduring(enduring)
         .periodic([[0.0, 8.0]; 3])
         .rule(rule)
         .grains(gas::<f64, 3>(50, 7, 8.0, [0.2, 0.3]))
@@ -40,14 +41,14 @@ fn drift(rule: impl Rule<f64>, events: u64) -> (f64, f64) {
 
 #[test]
 fn a_hard_elastic_gas_keeps_energy_and_momentum() {
-    let (energy, momentum) = drift(HARD, 5_000);
+    let (energy, momentum) = drift(HARD, Enduring::default(), 5_000);
     assert!(energy < 1e-13 && momentum < 1e-13, "energy {energy:e}, momentum {momentum:e}");
 }
 
 #[test]
 fn a_soft_elastic_gas_keeps_energy_and_momentum() {
-    let (energy, momentum) =
-        drift(Soft::linear_dashpot(elastic_spring(), Outside::HardSphere), 5_000);
+    let rule = Soft::linear_dashpot(elastic_spring(), Outside::HardSphere);
+    let (energy, momentum) = drift(rule, Enduring::Paper, 5_000);
     assert!(energy < 1e-13 && momentum < 1e-13, "energy {energy:e}, momentum {momentum:e}");
 }
 
@@ -56,10 +57,14 @@ fn a_soft_elastic_gas_keeps_energy_and_momentum() {
 #[ignore = "a minute in release"]
 fn millions_of_collisions_lose_no_more_than_a_millionth_of_a_millionth() {
     for (name, (energy, momentum)) in [
-        ("hard, 10^7", drift(HARD, 10_000_000)),
+        ("hard, 10^7", drift(HARD, Enduring::default(), 10_000_000)),
         (
             "eMD*, 10^6",
-            drift(Soft::linear_dashpot(elastic_spring(), Outside::HardSphere), 1_000_000),
+            drift(
+                Soft::linear_dashpot(elastic_spring(), Outside::HardSphere),
+                Enduring::Paper,
+                1_000_000,
+            ),
         ),
     ] {
         println!("{name}: energy {energy:e}, momentum {momentum:e}");
@@ -124,15 +129,16 @@ fn independent_release_loses_a_little_as_the_paper_says() {
 }
 
 /// By how many units in the last place of one grain's share the energy of 50 elastic disks rises a collision.
-fn trend<S: Scalar>(rule: impl Rule<S>, radius: f64, seed: u64) -> f64 {
+fn trend<S: Scalar>(rule: impl Rule<S>, enduring: Enduring, radius: f64, seed: u64) -> f64 {
     const COLLISIONS: u64 = 100_000;
-    // So dilute that no contact is interrupted: what is tested is rounding.
+    // So dilute that hardly a contact is interrupted: what is tested is rounding. Where a third body comes
+    // near, the default mode integrates, with an error that its number of steps decides.
     let side = 96.0 * radius;
     let mut grains = gas::<S, 2>(50, seed, side, [radius, radius]);
     grains.iter_mut().for_each(|grain| grain.radius = S::from_f64(radius));
     let mut storage = HeapMemory::with_capacity(50);
     let mut world = World::builder(&mut storage)
-        .enduring(Enduring::Paper)
+        .enduring(enduring)
         .periodic([[S::zero(), S::from_f64(side)]; 2])
         .rule(rule)
         .grains(grains)
@@ -155,12 +161,13 @@ fn trend<S: Scalar>(rule: impl Rule<S>, radius: f64, seed: u64) -> f64 {
 /// place on average, and energy rose by 0.9 to 1.3 of them a collision, for every seed.
 #[test]
 fn energy_has_no_trend_where_the_contact_distance_is_a_power_of_two() {
+    let default = Enduring::default();
     for radius in [0.5, 0.3] {
         for seed in 0..2 {
-            let hard = trend(HardSphere { restitution: 1.0_f32 }, radius, seed);
+            let hard = trend(HardSphere { restitution: 1.0_f32 }, default, radius, seed);
             let soft = Soft::linear_dashpot(elastic_spring::<f32>(), Outside::HardSphere);
-            let soft = trend(soft, radius, seed);
-            let double = trend(HARD, radius, seed);
+            let soft = trend(soft, Enduring::Paper, radius, seed);
+            let double = trend(HARD, default, radius, seed);
             for rise in [hard, soft, double] {
                 assert!(rise.abs() < 0.05, "radius {radius}, seed {seed}: {rise}");
             }
@@ -171,20 +178,28 @@ fn energy_has_no_trend_where_the_contact_distance_is_a_power_of_two() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
+    /// While grains press each other the stand-in's spring has some of the energy: it is compared where none do.
     #[test]
     fn dissipation_never_adds_energy(seed in 0_u64..1000, epsilon in 0.1..1.0_f64) {
-        let mut storage = HeapMemory::with_capacity(20);
-        let mut world = World::builder(&mut storage).enduring(Enduring::Paper)
-            .hard_walls([[0.0, 6.0]; 2], 1.0)
-            .rule(HardSphere { restitution: epsilon })
-            .grains(gas::<f64, 2>(20, seed, 6.0, [0.2, 0.4])).unwrap()
-            .start().unwrap();
-        let mut before = world.view().kinetic_energy();
-        for _ in 0..500 {
-            if world.step().is_err() { break; }
-            let now = world.view().kinetic_energy();
-            prop_assert!(now <= before * (1.0 + 1e-14));
-            before = now;
+        for enduring in [Enduring::Paper, Enduring::Integrated] {
+            let mut storage = HeapMemory::with_capacity(20);
+            let mut world = World::builder(&mut storage)
+                .enduring(enduring)
+                .hard_walls([[0.0, 6.0]; 2], 1.0)
+                .rule(HardSphere { restitution: epsilon })
+                .grains(gas::<f64, 2>(20, seed, 6.0, [0.2, 0.4])).unwrap()
+                .start().unwrap();
+            let mut before = world.view().kinetic_energy();
+            let mut compared = 0;
+            for _ in 0..1000 {
+                if world.step().is_err() { break; }
+                let view = world.view();
+                if (0..20).any(|i| view.motion(i) == Some(Motion::Cluster)) { continue; }
+                let now = view.kinetic_energy();
+                prop_assert!(now <= before * (1.0 + 1e-14));
+                (before, compared) = (now, compared + 1);
+            }
+            prop_assert!(compared > 100, "{}", compared);
         }
     }
 

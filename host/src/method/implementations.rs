@@ -133,6 +133,7 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             ("supported_collisions", c.supported_collisions),
             ("joins", c.joins),
             ("steps", c.steps),
+            ("crushed", c.crushed),
             ("reordered", c.reordered),
             ("stale", c.stale),
             ("cell_crossings", c.cell_crossings),
