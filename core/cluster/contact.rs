@@ -4,6 +4,11 @@ use super::settings::Settings;
 use crate::law::{ContactForce, Impact, Response, Rule};
 use crate::scalar::Scalar;
 
+/// Two that overlap by more than this do not collide at once, however fast they near each other: something presses
+/// them together, and collisions between what has no room only add energy. In units of the radius; from here on the
+/// stand-in grows stiffer.
+pub(super) const PRESSED: f32 = 1.0 / 32.0;
+
 /// Two bodies that overlap, in what their force depends on.
 pub(super) struct Touching<S> {
     pub impact: Impact<S>,
@@ -54,7 +59,8 @@ impl<S: Scalar> Touching<S> {
             return Some((force, S::zero()));
         }
         let slow = settings.slow_speed(self.radius);
-        if self.rate.abs() > slow && !self.only_forces {
+        let pressed = self.radius * S::from_f32(PRESSED);
+        if self.rate.abs() > slow && !self.only_forces && depth <= pressed {
             return None;
         }
         let restitution = self.hard.unwrap_or_else(|| restitution(rule, &self.impact, slow));

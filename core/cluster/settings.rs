@@ -15,12 +15,12 @@ pub(crate) struct Settings<S> {
     pub steps: S,
     /// The stand-in's contact time; none: (R/g)^½/16, R the pair's own.
     pub contact_time: Option<S>,
-    /// What the stand-in's contact time follows from: the last gravity that was not zero.
+    /// What the stand-in's contact time follows from: the last gravity that was not zero, with what plates add.
     pub gravity: S,
     /// The smallest radius and mass.
     pub smallest: [S; 2],
-    /// The largest speed that a plate's vibration gives it.
-    pub plate_speed: S,
+    /// The largest speed that a plate's vibration gives it, and the largest acceleration.
+    pub plates: [S; 2],
     /// Whether something may collide at once: the rule has no force law, or a plane is hard.
     pub has_instantaneous: bool,
     /// Whether the rule has no force law for some pair of materials.
@@ -38,7 +38,7 @@ impl<S: Scalar> Settings<S> {
             contact_time: None,
             gravity: S::zero(),
             smallest: [S::one(), S::one()],
-            plate_speed: S::zero(),
+            plates: [S::zero(); 2],
             has_instantaneous: true,
             is_rule_instantaneous: true,
             has_forces: false,
@@ -68,8 +68,11 @@ impl<S: Scalar> Settings<S> {
             fastest = fastest.max(norm(&body.velocity));
         }
         let plates = boundary.planes().iter().filter_map(|plane| plane.vibration);
-        self.plate_speed = plates.fold(S::zero(), |most, plate| most.max(plate.peak_speed()));
-        fastest = fastest.max(self.plate_speed);
+        self.plates = plates.fold([S::zero(); 2], |[speed, acceleration], plate| {
+            [speed.max(plate.peak_speed()), acceleration.max(plate.peak_acceleration())]
+        });
+        let [speed, _] = self.plates;
+        fastest = fastest.max(speed);
         let is_hard = |plane: &Plane<S, D>| matches!(plane.surface, Surface::Hard(_));
         self.is_rule_instantaneous = self.has_pair(rule, bodies, false);
         self.has_forces = self.has_pair(rule, bodies, true);
@@ -108,8 +111,9 @@ impl<S: Scalar> Settings<S> {
 
     /// Takes over gravity; without it, if there never was one, a speed from which slow is a sixteenth.
     pub fn take_gravity<const D: usize>(&mut self, gravity: &Vector<S, D>, fastest: S) {
-        let g = norm(gravity);
-        if g > S::zero() {
+        let [_, shaken] = self.plates;
+        let g = norm(gravity) + shaken;
+        if g > S::zero() && g.in_range() && g.is_finite() {
             self.gravity = g;
         } else if !(self.gravity > S::zero()) {
             // Slow is (g R)^½/4.
@@ -124,7 +128,8 @@ impl<S: Scalar> Settings<S> {
     pub fn check_contact_time<const D: usize>(&self, gravity: &Vector<S, D>) -> Result<(), Error> {
         let Some(time) = self.contact_time else { return Ok(()) };
         // x = g (t/π)².
-        let [t, g, radius] = [time, norm(gravity), self.smallest[0]].map(|x| x.to_f64());
+        let weight = norm(gravity) + self.plates[1];
+        let [t, g, radius] = [time, weight, self.smallest[0]].map(|x| x.to_f64());
         let shortest = t / core::f64::consts::PI;
         let overlap = g * shortest * shortest / radius;
         if overlap <= 0.05 {
@@ -182,7 +187,7 @@ impl<S: Scalar> Settings<S> {
     /// The step of clustered grains of which none is faster than `speed`, no pair deeper than `overlap`, and
     /// no stand-in's ω above `frequency`.
     pub fn step<R: Rule<S>>(&self, rule: &R, speed: S, (overlap, frequency): (S, S)) -> S {
-        let speed = speed.max(self.plate_speed).max(self.least_speed());
+        let speed = speed.max(self.plates[0]).max(self.least_speed());
         // A body pressed from all sides swings up to √3 times as fast as a pair does.
         let part = self.steps * S::from_f64(1.732_050_807_568_877_2);
         let soft = |speed| {

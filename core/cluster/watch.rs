@@ -3,6 +3,7 @@
 //! It may touch a free grain, which is clustered then, or, where the rule or a plane has no force, collide at
 //! once. In between steps everybody flies freely.
 
+use super::contact::PRESSED;
 use super::forces::MAX_COLLISIONS;
 use super::members::Clusters;
 use super::settings::Settings;
@@ -106,7 +107,10 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
             (self.domain.separation(self.me, other), self.me.velocity - other.velocity);
         let slow = self.settings.slow_speed(self.me.radius.min(other.radius));
         let reach = self.me.radius + other.radius + self.fast * (self.limit - self.me.clock);
-        S::dot(&velocity, &velocity) > slow.times(slow)
+        let touching = self.me.radius + other.radius;
+        let pressed = touching - self.me.radius.min(other.radius) * S::from_f32(PRESSED);
+        S::dot(&apart, &apart) >= pressed.times(pressed)
+            && S::dot(&velocity, &velocity) > slow.times(slow)
             && S::dot(&apart, &velocity).rounded() < S::zero()
             && S::dot(&apart, &apart) <= reach.times(reach)
     }
@@ -119,7 +123,10 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
         let fall = norm(self.domain.gravity()) * span;
         let fastest = speed + fall - dot(&plane.normal, &self.me.velocity);
         let gap = plane.mean_gap(&self.me.position, self.me.radius) - top;
-        fastest > slow && gap <= fastest * span
+        let pressed = self.me.radius * S::from_f32(-PRESSED);
+        fastest > slow
+            && gap <= fastest * span
+            && plane.gap(&self.me.position, self.me.radius, self.me.clock) >= pressed
     }
 
     fn planes(&mut self) {

@@ -93,7 +93,7 @@ fn touch_grain<S: Scalar, const D: usize>(
         return crowd(context);
     }
     let response = ask(rule, &impact, context.effects, (i, Partner::grain(k)))?;
-    match response {
+    match without_force(response, settled) {
         Response::Lasting(outcome) => {
             if disturbed(context, who, &pair, &outcome) {
                 return crowd(context);
@@ -123,6 +123,15 @@ fn touch_grain<S: Scalar, const D: usize>(
 /// Whether a body is clustered or asleep.
 fn is_settled<S: Scalar, const D: usize>(body: &Body<S, D>) -> bool {
     body.is_clustered() || body.is_asleep()
+}
+
+/// What a rule says of a grain that is clustered or asleep: such has no contacts of its own, so what lasts, but has
+/// no force law by which it could go on, happens at once.
+fn without_force<S: Scalar>(response: Response<S>, settled: bool) -> Response<S> {
+    match response {
+        Response::Lasting(outcome) if settled => Response::Instantaneous(outcome.restitution),
+        other => other,
+    }
 }
 
 /// Whether a collision without duration belongs to a contact that lasts: it is slow, and so soon after the
@@ -239,7 +248,7 @@ fn touch_plane<S: Scalar, const D: usize>(
         Some(restitution) => Response::Instantaneous(restitution),
         None => ask(rule, &impact, context.effects, (i, Partner::plane(p)))?,
     };
-    match response {
+    match without_force(response, is_settled(&body)) {
         Response::Lasting(outcome) => {
             let heavy = weight.abs() * outcome.duration * S::from_f32(256.0) > speed;
             if heavy || is_disturbed_at(context, (i, &body), (p, plane), (speed, &outcome)) {

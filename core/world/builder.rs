@@ -170,7 +170,7 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     }
 
     /// How long a slow contact of grains lasts whose rule has no force law. By default (R/g)^½/16, R the
-    /// smaller of the two. [`Enduring::Integrated`] only.
+    /// smaller of the two, g with the largest acceleration of plates. [`Enduring::Integrated`] only.
     ///
     /// # Units
     /// Time; above zero, and at most 0.7 (R/g)^½: else grains at rest would overlap by more than a twentieth of

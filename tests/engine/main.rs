@@ -24,6 +24,7 @@ mod scales;
 mod serialised;
 mod simultaneous;
 mod snapshot;
+mod steps;
 mod symmetry;
 mod time;
 mod turn;

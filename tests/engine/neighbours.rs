@@ -105,7 +105,7 @@ fn shaken<const D: usize>(
         }
     }
     let [collisions, steps] = [world.statistics().collisions, world.statistics().steps];
-    assert!(collisions > 50, "{collisions}");
+    assert!(collisions > 10, "{collisions}");
     assert_eq!(steps > 100, enduring == Enduring::Integrated, "{steps}");
     digests
 }
@@ -117,8 +117,9 @@ fn the_size_of_cells_changes_no_bit_over_a_vibrating_plate() {
     for (case, mode) in cases.into_iter().flat_map(|case| modes.map(|mode| (case, mode))) {
         let [one, two] = [shaken::<1>, shaken::<2>].map(|shaken| {
             let all_pairs = shaken(0, case, mode);
-            [3, 10, 40, 160]
-                .map(|heads| shaken(heads, case, mode).iter().zip(&all_pairs).position(|(a, b)| a != b))
+            [3, 10, 40, 160].map(|heads| {
+                shaken(heads, case, mode).iter().zip(&all_pairs).position(|(a, b)| a != b)
+            })
         });
         assert_eq!((one, two), ([None; 4], [None; 4]), "{case:?} {mode:?}");
     }

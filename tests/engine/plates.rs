@@ -40,7 +40,7 @@ struct Case {
 }
 
 impl Case {
-    fn random(rng: &mut Pcg64Mcg) -> Self {
+    fn random(rng: &mut Pcg64Mcg, enduring: Enduring) -> Self {
         Self {
             amplitude: 10_f64.powf(rng.random_range(-5.0..-0.5)),
             frequency: 10_f64.powf(rng.random_range(-0.5..2.5)),
@@ -49,7 +49,7 @@ impl Case {
             grains: rng.random_range(1..4),
             soft: rng.random_bool(0.2),
             seed: rng.random(),
-            enduring: Enduring::Integrated,
+            enduring,
         }
     }
 
@@ -96,7 +96,12 @@ fn impacts<const D: usize>(case: &Case, most: u64) -> Result<u64, Error> {
         builder = builder.grain(Grain::with_mass(radius, 1e-3).at(at))?;
     }
     let mut world = builder.start()?;
-    let depth = if case.soft { 0.2 * radius } else { 0.02 * radius };
+    let depth = match case.enduring {
+        _ if case.soft => 0.2 * radius,
+        Enduring::Paper => 1e-12 * (1.0 + case.amplitude),
+        // Four that a slow impact presses by R/200 each.
+        _ => 0.02 * radius,
+    };
     let mut events = 0_u64;
     while world.statistics().plane_collisions < most && events < 20 * most {
         let before = world.now();
@@ -138,16 +143,16 @@ fn above<const D: usize, R>(
     }
 }
 
-fn survive(total: u64, seed: u64) {
+fn survive(total: u64, (seed, enduring): (u64, Enduring), most: u64) {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let mut count = 0;
     let mut cases = 0_u64;
-    while count < total && cases < 400 {
-        let case = Case::random(&mut rng);
+    while count < total && (cases < 400 || enduring == Enduring::Paper) {
+        let case = Case::random(&mut rng, enduring);
         let found = match rng.random_range(0..3) {
-            0 => impacts::<1>(&case, 300),
-            1 => impacts::<2>(&case, 300),
-            _ => impacts::<3>(&case, 300),
+            0 => impacts::<1>(&case, most),
+            1 => impacts::<2>(&case, most),
+            _ => impacts::<3>(&case, most),
         };
         count += found.unwrap_or_else(|error| panic!("{error}: {case:?}"));
         cases += 1;
@@ -157,13 +162,14 @@ fn survive(total: u64, seed: u64) {
 
 #[test]
 fn no_grain_falls_through_a_plate() {
-    survive(300_000, 1);
+    survive(50_000, (1, Enduring::Paper), 2_000);
+    survive(50_000, (1, Enduring::Integrated), 300);
 }
 
 #[test]
 #[ignore = "ten million impacts: minutes in release"]
 fn no_grain_falls_through_a_plate_in_ten_million_impacts() {
-    survive(10_000_000, 2);
+    survive(10_000_000, (2, Enduring::Paper), 2_000);
 }
 
 proptest! {
@@ -249,17 +255,19 @@ fn a_crushed_grain_is_an_error_that_names_it() {
     }
 }
 
-/// By default it is pressed, which is reported with its overlap: 1/4 of room are missing at the time 1/4, and each
-/// side takes half of that or, while the grain swings between them, more. It comes out with no more than what the plate can give.
+/// By default it is pressed, which is reported with its overlap. A quarter of the room is missing at the time 1/4, half of
+/// that on each side. It comes out with no more than what the plate can give.
 #[test]
 fn a_crushed_grain_is_reported_with_its_overlap() {
     for (restitution, others) in [(0.0, 0), (0.5, 0), (0.99, 0), (0.5, 10)] {
         let crushed = crush(Enduring::Integrated, restitution, others).unwrap();
         let Crushed { overlap, at, energy } = crushed;
-        assert!((0.12..0.25).contains(&overlap), "{restitution}: {overlap} at {at}");
-        assert!((at - 0.25).abs() < 0.05 || (at - 1.25).abs() < 0.05, "{restitution}: {at}");
-        // The plate's largest speed is π; what it hits leaves with twice that at most, once each way.
-        assert!(energy < 0.5 * (4.0 * std::f64::consts::PI).powi(2), "{restitution}: {energy}");
+        // What loses next to nothing swings between them.
+        let swing = if restitution > 0.9 { 0.125 } else { 2e-3 };
+        assert!((overlap - 0.125).abs() < swing, "{restitution}: {overlap} at {at}");
+        assert!((at % 1.0 - 0.25).abs() < 0.03, "{restitution}: {at}");
+        // The plate's largest speed is π: what it hits leaves with twice that at most.
+        assert!(energy < 0.5 * (2.0 * std::f64::consts::PI).powi(2), "{restitution}: {energy}");
     }
 }
 
@@ -277,11 +285,17 @@ fn a_jam_is_noticed_no_later_among_many() {
 /// Ten beads are enough for cells: a bead that leaves one keeps its predicted collision, and must not miss the plate below.
 #[test]
 fn no_bead_of_a_thrown_column_falls_through_its_plate() {
+    thrown(Enduring::Paper, 1e-12);
+    // R/50: four that a slow impact presses by R/200 each.
+    thrown(Enduring::Integrated, 1e-5);
+}
+
+fn thrown(enduring: Enduring, depth: f64) {
     let mut memory = Memory::<f64, 1, 10>::new();
     let radius = 0.5e-3;
     let plate = Vibration::new(1.0e-2, 20.0); // 16 g: the beads fly through many cells
     let mut world = World::builder(&mut memory)
-        .enduring(Enduring::Paper)
+        .enduring(enduring)
         .gravity([-G])
         .plane(Plane::new([1.0], 0.0, Surface::Hard(0.9)).vibrating(plate))
         .rule(HardSphere { restitution: 0.9 })
@@ -293,7 +307,7 @@ fn no_bead_of_a_thrown_column_falls_through_its_plate() {
         let at = world.step().unwrap().unwrap().at.as_f64();
         let place = 1.0e-2 * (std::f64::consts::TAU * 20.0 * at).sin();
         let lowest = (0..10).map(|i| world.grain(i).unwrap().position[0]).fold(f64::MAX, f64::min);
-        assert!(lowest - radius - place > -1e-12, "{lowest} at {at}");
+        assert!(lowest - radius - place > -depth, "{lowest} at {at}");
     }
     assert!(
         world.statistics().cell_crossings > 1_000 && world.statistics().plane_collisions > 1_000

@@ -5,7 +5,7 @@ use carom::law::{HardSphere, LinearDashpot, Outside, Soft, Viscoelastic};
 use carom::particle::Body;
 use carom::space::{Plane, Surface};
 use carom::world::{Buffers, ScheduledEvent, Snapshot};
-use carom::{Error, Grain, HeapMemory, Instant, Memory, Storage, World};
+use carom::{Enduring, Error, Grain, HeapMemory, Instant, Memory, Storage, World};
 
 const ELASTIC: HardSphere<f64> = HardSphere { restitution: 1.0 };
 
@@ -128,11 +128,24 @@ impl Storage<f64, 1> for ShortSlice {
 
 #[test]
 fn a_short_slice_is_a_full_memory() {
-    for short in 0..5 {
+    let second = Grain::with_mass(0.5, 1.0).at([2.0]);
+    for short in 0..4 {
         let mut memory = ShortSlice { memory: HeapMemory::with_capacity(2), short };
         let builder = World::builder(&mut memory).grain(Grain::with_mass(0.5, 1.0)).unwrap();
-        let second = builder.grain(Grain::with_mass(0.5, 1.0).at([2.0]));
-        assert!(matches!(second, Err(Error::Full { capacity: 1, .. })), "slice {short}");
+        let full = builder.grain(second);
+        assert!(matches!(full, Err(Error::Full { capacity: 1, .. })), "slice {short}");
+    }
+    // Whether accelerations are needed is known at the start.
+    for (enduring, is_refused) in [(Enduring::Integrated, true), (Enduring::Paper, false)] {
+        let mut memory = ShortSlice { memory: HeapMemory::with_capacity(2), short: 4 };
+        let builder = World::builder(&mut memory).enduring(enduring).rule(ELASTIC);
+        let world = builder.grains([Grain::with_mass(0.5, 1.0), second]).unwrap().start();
+        match world {
+            Err(Error::Input { field: "memory's accelerations", value: 1.0, .. }) => {
+                assert!(is_refused);
+            }
+            other => assert!(other.is_ok() && !is_refused, "{enduring:?}"),
+        }
     }
 }
 
