@@ -19,6 +19,8 @@ pub struct Sample {
     pub collisions: u64,
     /// Everything that was counted so far.
     pub statistics: Vec<(&'static str, u64)>,
+    /// How many grains move in which way.
+    pub motions: Vec<(&'static str, usize)>,
     /// Events since the last sample, if a log was asked for.
     pub events: Vec<LoggedEvent>,
 }
@@ -101,6 +103,7 @@ fn take_sample(method: &mut dyn Method, time: f64) -> Sample {
         kinetic_energy: method.kinetic_energy(),
         collisions: method.collisions(),
         statistics: method.statistics(),
+        motions: method.motions(),
         events: method.take_events(),
     }
 }

@@ -266,8 +266,8 @@ fn a_crushed_grain_is_reported_with_its_overlap() {
         let swing = if restitution > 0.9 { 0.125 } else { 2e-3 };
         assert!((overlap - 0.125).abs() < swing, "{restitution}: {overlap} at {at}");
         assert!((at % 1.0 - 0.25).abs() < 0.03, "{restitution}: {at}");
-        // The plate's largest speed is π: what it hits leaves with twice that at most.
-        assert!(energy < 0.5 * (2.0 * std::f64::consts::PI).powi(2), "{restitution}: {energy}");
+        // The plate's largest speed is π: what it hits twice without loss leaves with four times that.
+        assert!(energy < 0.5 * (4.0 * std::f64::consts::PI).powi(2), "{restitution}: {energy}");
     }
 }
 

@@ -62,7 +62,7 @@ fn a_bullet_is_stopped_by_grains_at_rest() {
             let flies = |i| world.view().motion(i) == Some(Motion::Flight);
             if (0..3).all(flies) {
                 let change = energy(&world) / start - 1.0;
-                assert!(change.abs() < 5e-3, "{speed}: {change:e}");
+                assert!(change.abs() < 1e-4, "{speed}: {change:e}");
                 checked += 1;
             }
         }

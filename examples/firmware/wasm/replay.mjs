@@ -2,7 +2,7 @@
 import { readFile } from "node:fs/promises";
 
 const [path, scene, scalar, from, last] = process.argv.slice(2);
-const scenes = ["fig6", "box16", "gas32", "column10"];
+const scenes = ["fig6", "box16", "gas32", "column10", "heap16", "hard16"];
 const scalars = ["f32", "f64", "I32F32"];
 const { instance } = await WebAssembly.instantiate(await readFile(path));
 const { run, digest } = instance.exports;

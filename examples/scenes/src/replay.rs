@@ -51,6 +51,8 @@ pub fn replay<S: Number>(scene: Scene) -> Run {
         Scene::Box16 => box16::<S>,
         Scene::Gas32 => gas32::<S>,
         Scene::Column10 => column10::<S>,
+        Scene::Heap16 => heap16::<S>,
+        Scene::Hard16 => hard16::<S>,
     }
 }
 
@@ -100,6 +102,30 @@ pub fn column10<S: Number>(
 ) -> Result<(), Error> {
     let mut memory = Memory::<S, 1, 10>::new();
     run(&mut scene::column10(&mut memory)?, selection, report)
+}
+
+/// Runs [`Scene::Heap16`] and reports the digests.
+///
+/// # Errors
+/// As [`fig6`].
+pub fn heap16<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
+    let mut memory = Memory::<S, 2, 16>::new();
+    turning(&mut scene::heap16(&mut memory)?, selection, report)
+}
+
+/// Runs [`Scene::Hard16`] and reports the digests.
+///
+/// # Errors
+/// As [`fig6`].
+pub fn hard16<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
+    let mut memory = Memory::<S, 2, 16>::new();
+    turning(&mut scene::hard16(&mut memory)?, selection, report)
 }
 
 /// Steps through all events.

@@ -2,7 +2,9 @@
 
 use carom::law::embedded::read::{Law, StoredNumber, Table};
 use carom::law::embedded::{Compact, Standard, TableSet, wide};
-use carom::law::{LinearDashpot, Outside, Soft, Viscoelastic};
+use carom::law::{
+    HardSphere, IntegratedMode, LinearDashpot, Outside, PaperMode, Rule, Soft, Viscoelastic,
+};
 use carom::scalar::I32F32;
 use carom::space::{Plane, Surface, Vibration};
 use carom::{Enduring, Error, Grain, Scalar, Storage, World};
@@ -18,11 +20,16 @@ pub enum Scene {
     Gas32,
     /// A column of ten beads on a vibrating plate, in one dimension.
     Column10,
+    /// [`Scene::Box16`] by the default mode: a heap whose contacts are integrated.
+    Heap16,
+    /// The same of hard grains, which fall asleep between two turns.
+    Hard16,
 }
 
 impl Scene {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Fig6, Self::Box16, Self::Gas32, Self::Column10];
+    pub const ALL: [Self; 6] =
+        [Self::Fig6, Self::Box16, Self::Gas32, Self::Column10, Self::Heap16, Self::Hard16];
 
     /// Its name in the golden file.
     #[must_use]
@@ -32,6 +39,8 @@ impl Scene {
             Self::Box16 => "box16",
             Self::Gas32 => "gas32",
             Self::Column10 => "column10",
+            Self::Heap16 => "heap16",
+            Self::Hard16 => "hard16",
         }
     }
 }
@@ -123,23 +132,50 @@ pub fn fig6<S: Number>(
         .start()
 }
 
-/// Sixteen grains of 0.7 to 1.3 mm in a box of 12 mm.
+/// Sixteen grains of 0.7 to 1.3 mm in a box of 12 mm, whose contacts end each other as in MP13.
 ///
 /// # Errors
 /// None unless the memory is too small.
 pub fn box16<S: Number>(
     memory: &mut impl Storage<S, 2>,
-) -> Result<World<'_, S, 2, Rubber<S>>, Error> {
+) -> Result<World<'_, S, 2, PaperMode<Rubber<S>>>, Error> {
+    boxed(memory, PaperMode(rubber(S::standard())))
+}
+
+/// The same by the default mode.
+///
+/// # Errors
+/// None unless the memory is too small.
+pub fn heap16<S: Number>(
+    memory: &mut impl Storage<S, 2>,
+) -> Result<World<'_, S, 2, IntegratedMode<Rubber<S>>>, Error> {
+    boxed(memory, IntegratedMode(rubber(S::standard())))
+}
+
+/// The same of hard grains.
+///
+/// # Errors
+/// None unless the memory is too small.
+pub fn hard16<S: Number>(
+    memory: &mut impl Storage<S, 2>,
+) -> Result<World<'_, S, 2, IntegratedMode<HardSphere<S>>>, Error> {
+    boxed(memory, IntegratedMode(HardSphere { restitution: n(0.5) }))
+}
+
+/// Sixteen grains in a box.
+fn boxed<S: Number, R: Rule<S>>(
+    memory: &mut impl Storage<S, 2>,
+    rule: R,
+) -> Result<World<'_, S, 2, R>, Error> {
     let site = |k: u32| {
         let (column, row, odd) = (f64::from(k % 4), f64::from(k / 4), f64::from(k * 7 % 16));
         let at = [1.5 + 3.0 * column, 1.5 + 3.0 * row];
         grain(0.7 + 0.04 * odd, at, [0.02 * (odd - 7.5), 0.03 * (column - row)])
     };
     World::builder(memory)
-        .enduring(Enduring::Paper)
         .walls([v([0.0, 12.0]); 2])
         .gravity(v([0.0, -GRAVITY]))
-        .rule(rubber(S::standard()))
+        .rule(rule)
         .grains((0..16).map(site))?
         .start()
 }

@@ -42,6 +42,7 @@ struct Run {
     kinetic_energy: f64,
     wall_seconds: f64,
     statistics: Vec<(&'static str, u64)>,
+    motions: Vec<(&'static str, usize)>,
     files: Vec<PathBuf>,
 }
 
@@ -74,18 +75,15 @@ fn one(name: MethodName, scenario: &Scenario, start: &Start, folder: &Path) -> R
     let mut last = None;
     let wall_seconds = method::with(name, scenario, start, |method| {
         run::drive(method, &Plan::new(scenario), |sample| {
-            last = Some((
-                sample.time,
-                sample.collisions,
-                sample.kinetic_energy,
-                sample.statistics.clone(),
-            ));
+            last = Some(sample.clone());
             files.add(start, sample)
         })
     })?;
     let files = files.finish()?;
-    let (time, collisions, kinetic_energy, statistics) = last.context("no sample was taken")?;
-    Ok(Run { method: name, time, collisions, kinetic_energy, wall_seconds, statistics, files })
+    let last = last.context("no sample was taken")?;
+    let run::Sample { time, collisions, kinetic_energy, statistics, motions, .. } = last;
+    let method = name;
+    Ok(Run { method, time, collisions, kinetic_energy, wall_seconds, statistics, motions, files })
 }
 
 fn print(json: Option<&[u8]>, summary: &Summary, folder: &Path) -> Result<()> {
@@ -106,6 +104,10 @@ fn print(json: Option<&[u8]>, summary: &Summary, folder: &Path) -> Result<()> {
             run.kinetic_energy,
             run.wall_seconds
         )?;
+        if !run.motions.is_empty() {
+            let motions = run.motions.iter().map(|(name, count)| format!("{count} {name}"));
+            writeln!(sink, "             {}", motions.collect::<Vec<_>>().join(", "))?;
+        }
         let statistics = run
             .statistics
             .iter()

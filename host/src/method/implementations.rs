@@ -4,7 +4,7 @@ use crate::scenario::{MethodName, Placed, Side, Start};
 use anyhow::Result;
 use carom::World;
 use carom::law::Rule;
-use carom::world::{Event, EventOutcome, Observer, View};
+use carom::world::{Event, EventOutcome, Motion, Observer, View};
 use carom_reference::{Exact, Verlet};
 
 /// One way to find out what the grains do.
@@ -35,6 +35,11 @@ pub trait Method {
 
     /// How often everything happened, by name.
     fn statistics(&self) -> Vec<(&'static str, u64)>;
+
+    /// How many grains move in which way now, by name; nothing where the method knows no such ways.
+    fn motions(&self) -> Vec<(&'static str, usize)> {
+        Vec::new()
+    }
 
     /// The events since the last call, if a log was asked for.
     fn take_events(&mut self) -> Vec<LoggedEvent> {
@@ -138,6 +143,17 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             ("stale", c.stale),
             ("cell_crossings", c.cell_crossings),
             ("rechecks", c.rechecks),
+        ]
+    }
+
+    fn motions(&self) -> Vec<(&'static str, usize)> {
+        let view = self.world.view();
+        let count = |motion| (0..view.len()).filter(|&i| view.motion(i) == Some(motion)).count();
+        vec![
+            ("in flight", count(Motion::Flight)),
+            ("in contacts of two", count(Motion::Contact)),
+            ("in clusters", count(Motion::Cluster)),
+            ("at rest", count(Motion::Rest)),
         ]
     }
 
