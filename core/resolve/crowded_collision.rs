@@ -197,7 +197,7 @@ fn begins_now<S: Scalar, const D: usize>(
 }
 
 /// A grain's velocity changes at once. One that was asleep is clustered from now on.
-fn kick<S: Scalar, const D: usize>(
+pub(super) fn kick<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     (x, body, radius): (usize, &Body<S, D>, S),
     change: Vector<S, D>,
@@ -219,7 +219,7 @@ fn kick<S: Scalar, const D: usize>(
 }
 
 /// As [`super::instantaneous_collision`]: grains part at least so fast.
-fn min_parting_speed<S: Scalar, const D: usize>(velocity: &Vector<S, D>) -> S {
+pub(super) fn min_parting_speed<S: Scalar, const D: usize>(velocity: &Vector<S, D>) -> S {
     max_abs(velocity).rounding() * S::from_f32(4.0)
 }
 

@@ -5,4 +5,4 @@ mod simultaneous;
 mod stale;
 
 pub(crate) use queue::EventQueue;
-pub(crate) use simultaneous::first_of_instant;
+pub(crate) use simultaneous::{first_of_instant, is_tied};

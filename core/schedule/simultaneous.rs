@@ -31,7 +31,7 @@ pub(crate) fn first_of_instant<S: Scalar, const D: usize>(
     if event.kind != EventKind::Collision {
         return Ok(grain);
     }
-    if queue.simultaneous() <= 1 + u32::from(is_also_the_partners(queue, grain, event)) {
+    if !is_tied(queue, (grain, event)) {
         return Ok(grain);
     }
     let (mut stale, mut other, mut count) = (None, None, 0);
@@ -51,6 +51,14 @@ pub(crate) fn first_of_instant<S: Scalar, const D: usize>(
         (None, None) if count < 2 => Ok(grain),
         (None, None) => Ok(fastest(particles, domain, queue, (grain, event.time))),
     }
+}
+
+/// Whether another collision is at the time of this one, the earliest of all.
+pub(crate) fn is_tied<S: Scalar>(
+    queue: &EventQueue<'_, S>,
+    (grain, event): (usize, &ScheduledEvent<S>),
+) -> bool {
+    queue.simultaneous() > 1 + u32::from(is_also_the_partners(queue, grain, event))
 }
 
 /// Whether the partner's event is the same collision.

@@ -13,8 +13,10 @@ mod snapshot;
 mod state;
 mod statistics;
 mod step;
+mod step_clusters;
 mod storage;
 mod timekeeping;
+mod together;
 mod view;
 
 pub use builder::{NoRule, WorldBuilder};

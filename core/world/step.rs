@@ -4,11 +4,10 @@ use super::observe::{Event, Observer};
 use super::state::World;
 use super::statistics::Statistics;
 use super::view::View;
-use crate::cluster::{self, Crush};
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::{Error, Subject};
 use crate::law::Rule;
-use crate::particle::{Body, Grain, Partner};
+use crate::particle::{Body, Grain};
 use crate::resolve::{self, Context, Effects, EventOutcome};
 use crate::scalar::{Instant, Scalar};
 use crate::schedule::first_of_instant;
@@ -54,10 +53,14 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let mut event = Event { at, grain, partner, kind, outcome: None };
         observer.before(&event, self.view());
         let mut effects = Effects::default();
+        let before = self.before_collision(grain, &due);
         let outcome = self.resolve(grain, &due, &mut effects);
         self.statistics.count(&effects.incidents);
         event.outcome = Some(outcome?);
         self.predict_affected(&effects)?;
+        if let (Some(before), Some(EventOutcome::Collision { .. })) = (before, event.outcome) {
+            self.collide_together(&before)?;
+        }
         if kind.is_bookkeeping() {
             self.renew_prediction(grain, due)?;
         }
@@ -89,89 +92,6 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             let event = self.predict(stale);
             self.queue.set(stale, event);
         }
-    }
-
-    /// Whether grains are clustered now.
-    #[inline]
-    pub(super) fn has_clusters(&self) -> bool {
-        self.parameters.settings.is_integrated(&self.rule) && self.clusters.count > 0
-    }
-
-    /// Clustered grains move on to this time, and all that may touch next is predicted.
-    fn step_clusters(
-        &mut self,
-        to: S,
-        observer: &mut impl Observer<S, D>,
-    ) -> Result<Event<S>, Error> {
-        let grain = self.clusters.first().unwrap_or(0);
-        self.clock.move_to(to);
-        (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
-        let (at, kind) = (self.now(), EventKind::Step);
-        let mut event = Event { at, grain, partner: Partner::NOTHING, kind, outcome: None };
-        observer.before(&event, self.view());
-        let crush = self.move_clusters(to)?;
-        self.statistics.steps += 1;
-        self.statistics.crushed += u64::from(crush.is_some());
-        event.outcome = Some(EventOutcome::Stepped);
-        if let Some(Crush { grain, with, overlap, .. }) = crush {
-            (event.grain, event.partner) = (grain, with);
-            event.outcome = Some(EventOutcome::Crushed { overlap });
-        }
-        observer.after(&event, self.view());
-        self.keep_time(kind);
-        Ok(event)
-    }
-
-    /// The same without an observer.
-    pub(super) fn move_clusters(&mut self, to: S) -> Result<Option<Crush<S>>, Error> {
-        let rule = (&self.rule, &self.parameters.settings);
-        let crush = cluster::step(&mut self.particles, &self.domain, &mut self.clusters, rule, to);
-        self.predict_changed().map(|()| crush)
-    }
-
-    /// Who of the clustered grains flies or sleeps from now on, and what happens to each next.
-    fn predict_changed(&mut self) -> Result<(), Error> {
-        let mut next = self.clusters.first();
-        while let Some(grain) = next {
-            next = self.particles.body(grain).and_then(|body| body.partner.next_clustered());
-            self.check_range(grain)?;
-            let who = (&self.parameters.settings, grain);
-            cluster::settle(&mut self.particles, &self.domain, &mut self.clusters, who);
-            let event = self.predict(grain);
-            if event.kind != EventKind::Nothing
-                || self.queue.event(grain).kind != EventKind::Nothing
-            {
-                self.queue.set(grain, event);
-            }
-            if self.particles.body(grain).is_some_and(Body::is_asleep) {
-                self.predict_free_near(grain);
-            }
-        }
-        Ok(())
-    }
-
-    /// A grain that fell asleep looks for nothing any more: free ones near it look for it.
-    fn predict_free_near(&mut self, grain: usize) {
-        let Some(cell) = self.particles.body(grain).map(|body| body.cell) else { return };
-        let mut after = None;
-        while let Some(k) = self.next_free_near(cell, after) {
-            let event = self.predict(k);
-            self.queue.set(k, event);
-            after = Some(k);
-        }
-    }
-
-    /// The free grain near this cell with the next number.
-    fn next_free_near(&self, cell: u32, after: Option<usize>) -> Option<usize> {
-        let mut next = None;
-        self.particles.cells.for_each_near(cell, |k| {
-            let is_free = |body: &Body<S, D>| !body.is_clustered() && !body.is_asleep();
-            let counts = after.is_none_or(|after| k > after) && next.is_none_or(|next| k < next);
-            if counts && self.particles.body(k).is_some_and(is_free) {
-                next = Some(k);
-            }
-        });
-        next
     }
 
     /// The event's time becomes the present, which never goes back.
@@ -229,17 +149,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         outcome
     }
 
-    /// Somebody faster is clustered now, for whom the step under way may be too long.
-    #[inline(never)]
-    fn shorten_step(&mut self) {
-        let none = (S::zero(), S::zero());
-        let step = self.parameters.settings.step(&self.rule, self.clusters.speed, none);
-        self.clusters.shorten(step, self.clock.now);
-    }
-
     /// Predicts the next events of the grains that an event concerned, and checks that they still can be
     /// computed with. What lies on a grain that was at rest until now looks whether it is still supported.
-    fn predict_affected(&mut self, effects: &Effects) -> Result<(), Error> {
+    pub(super) fn predict_affected(&mut self, effects: &Effects) -> Result<(), Error> {
         for &grain in &effects.void {
             self.check_range(grain)?;
             let event = self.predict(grain);
@@ -270,7 +182,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     }
 
     /// Whether a grain can still be computed with: now, too, if its number type has a range to leave.
-    fn check_range(&self, grain: usize) -> Result<(), Error> {
+    pub(super) fn check_range(&self, grain: usize) -> Result<(), Error> {
         let broken = match S::RANGE {
             Some(_) => self.particles.present(grain, &self.domain, self.clock.now).out_of_range(),
             None => self.particles.body(grain).and_then(|body| body.out_of_range()),

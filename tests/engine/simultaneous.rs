@@ -124,3 +124,93 @@ fn a_contact_ends_before_others_begin_at_that_instant() {
         assert_eq!(kinds, expected);
     }
 }
+
+/// Where all grains of a mirror-symmetric rack are, hit by one on the axis.
+fn rack(restitution: f64, end: f64) -> Vec<[f64; 2]> {
+    let mut memory = Memory::<f64, 2, 16>::new();
+    let ball = Grain::with_mass(1.0, 1.0);
+    // Not in touch, so that rows are hit one after the other, each at one instant.
+    let (dx, dy) = (1.74, 1.0005);
+    let sites = (0..5)
+        .flat_map(|row| (0..=row).map(move |k| [dx * f64::from(row), dy * f64::from(2 * k - row)]));
+    let mut world = World::builder(&mut memory)
+        .rule(HardSphere { restitution })
+        .grain(ball.at([-10.0, 0.0]).moving([1.0, 0.0]))
+        .unwrap()
+        .grains(sites.map(|at| ball.at(at)))
+        .unwrap()
+        .start()
+        .unwrap();
+    world.advance_to(end).unwrap();
+    let momentum = world.view().momentum();
+    assert!((momentum[0] - 1.0).abs() < 1e-13 && momentum[1].abs() < 1e-13, "{momentum}");
+    if restitution == 1.0 {
+        assert!((world.view().kinetic_energy() - 0.5).abs() < 1e-13);
+    }
+    (0..16).map(|i| world.grain(i).unwrap().position.into()).collect()
+}
+
+/// Collisions at one instant that share a grain have no order: what is symmetric stays so.
+#[test]
+fn a_rack_that_is_hit_on_its_axis_stays_symmetric() {
+    // Until all have parted; what loses much energy stays together, and rounding grows with each of its collisions.
+    for (restitution, end) in [(1.0, 60.0), (0.9, 60.0), (0.5, 8.4)] {
+        let places = rack(restitution, end);
+        for [x, y] in &places {
+            let mirrored = |[u, v]: &[f64; 2]| (x - u).abs() + (y + v).abs();
+            let nearest = places.iter().map(mirrored).fold(f64::MAX, f64::min);
+            assert!(nearest < 1e-11, "{restitution}: {x} {y} {nearest:e}");
+        }
+    }
+}
+
+/// Three, four or six equal ones that hit one from all sides at one instant leave it at rest and go back with ε.
+#[test]
+fn hard_ones_that_hit_one_from_all_sides_leave_it_at_rest() {
+    for (count, restitution) in [(3, 1.0), (3, 0.5), (4, 1.0), (6, 1.0), (6, 0.3)] {
+        for turn in [0.0, 0.1, 0.37, 1.0] {
+            let mut memory = Memory::<f64, 2, 7>::new();
+            let around = (0..count).map(|i| {
+                let angle = turn + f64::from(i) * std::f64::consts::TAU / f64::from(count);
+                let (sin, cos) = angle.sin_cos();
+                Grain::with_mass(1.0, 1.0).at([5.0 * cos, 5.0 * sin]).moving([-cos, -sin])
+            });
+            let mut world = World::builder(&mut memory)
+                .rule(HardSphere { restitution })
+                .grain(Grain::with_mass(1.0, 1.0))
+                .unwrap()
+                .grains(around)
+                .unwrap()
+                .start()
+                .unwrap();
+            world.advance_to(5.0).unwrap();
+            let speed = |i| world.grain(i).unwrap().velocity.norm();
+            assert!(speed(0) < 1e-14, "{count} {turn}: {}", speed(0));
+            for i in 1..=count as usize {
+                assert!((speed(i) - restitution).abs() < 1e-14, "{count} {turn}: {}", speed(i));
+            }
+        }
+    }
+}
+
+/// In a cradle pairs near each other one after the other: k come in, k go out, and the others stay.
+#[test]
+fn a_cradle_of_hard_balls_stays_exact() {
+    for coming in 1..5 {
+        let mut memory = Memory::<f64, 1, 5>::new();
+        let at = |i: usize| if i < coming { -10.0 + 2.0 * i as f64 } else { 2.0 * i as f64 };
+        let speed = |i: usize| if i < coming { 1.0 } else { 0.0 };
+        let mut world = World::builder(&mut memory)
+            .rule(HardSphere { restitution: 1.0 })
+            .grains((0..5).map(|i| Grain::with_mass(1.0, 1.0).at([at(i)]).moving([speed(i)])))
+            .unwrap()
+            .start()
+            .unwrap();
+        world.advance_to(30.0).unwrap();
+        for i in 0..5 {
+            let right = if i >= 5 - coming { 1.0 } else { 0.0 };
+            let is = world.grain(i).unwrap().velocity[0];
+            assert!((is - right).abs() < 1e-12, "{coming} in: {i} has {is}");
+        }
+    }
+}

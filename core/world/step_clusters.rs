@@ -1,0 +1,104 @@
+//! And then, for clustered grains? A step of all of them; reads bodies and the rule, writes bodies and the queue.
+
+use super::observe::{Event, Observer};
+use super::state::World;
+use crate::cluster::{self, Crush};
+use crate::detect::EventKind;
+use crate::error::Error;
+use crate::law::Rule;
+use crate::particle::{Body, Partner};
+use crate::resolve::EventOutcome;
+use crate::scalar::Scalar;
+
+impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
+    /// Whether grains are clustered now.
+    #[inline]
+    pub(super) fn has_clusters(&self) -> bool {
+        self.parameters.settings.is_integrated(&self.rule) && self.clusters.count > 0
+    }
+
+    /// Clustered grains move on to this time, and all that may touch next is predicted.
+    pub(super) fn step_clusters(
+        &mut self,
+        to: S,
+        observer: &mut impl Observer<S, D>,
+    ) -> Result<Event<S>, Error> {
+        let grain = self.clusters.first().unwrap_or(0);
+        self.clock.move_to(to);
+        (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
+        let (at, kind) = (self.now(), EventKind::Step);
+        let mut event = Event { at, grain, partner: Partner::NOTHING, kind, outcome: None };
+        observer.before(&event, self.view());
+        let crush = self.move_clusters(to)?;
+        self.statistics.steps += 1;
+        self.statistics.crushed += u64::from(crush.is_some());
+        event.outcome = Some(EventOutcome::Stepped);
+        if let Some(Crush { grain, with, overlap, .. }) = crush {
+            (event.grain, event.partner) = (grain, with);
+            event.outcome = Some(EventOutcome::Crushed { overlap });
+        }
+        observer.after(&event, self.view());
+        self.keep_time(kind);
+        Ok(event)
+    }
+
+    /// The same without an observer.
+    pub(super) fn move_clusters(&mut self, to: S) -> Result<Option<Crush<S>>, Error> {
+        let rule = (&self.rule, &self.parameters.settings);
+        let crush = cluster::step(&mut self.particles, &self.domain, &mut self.clusters, rule, to);
+        self.predict_changed().map(|()| crush)
+    }
+
+    /// Who of the clustered grains flies or sleeps from now on, and what happens to each next.
+    fn predict_changed(&mut self) -> Result<(), Error> {
+        let mut next = self.clusters.first();
+        while let Some(grain) = next {
+            next = self.particles.body(grain).and_then(|body| body.partner.next_clustered());
+            self.check_range(grain)?;
+            let who = (&self.parameters.settings, grain);
+            cluster::settle(&mut self.particles, &self.domain, &mut self.clusters, who);
+            let event = self.predict(grain);
+            if event.kind != EventKind::Nothing
+                || self.queue.event(grain).kind != EventKind::Nothing
+            {
+                self.queue.set(grain, event);
+            }
+            if self.particles.body(grain).is_some_and(Body::is_asleep) {
+                self.predict_free_near(grain);
+            }
+        }
+        Ok(())
+    }
+
+    /// A grain that fell asleep looks for nothing any more: free ones near it look for it.
+    fn predict_free_near(&mut self, grain: usize) {
+        let Some(cell) = self.particles.body(grain).map(|body| body.cell) else { return };
+        let mut after = None;
+        while let Some(k) = self.next_free_near(cell, after) {
+            let event = self.predict(k);
+            self.queue.set(k, event);
+            after = Some(k);
+        }
+    }
+
+    /// The free grain near this cell with the next number.
+    fn next_free_near(&self, cell: u32, after: Option<usize>) -> Option<usize> {
+        let mut next = None;
+        self.particles.cells.for_each_near(cell, |k| {
+            let is_free = |body: &Body<S, D>| !body.is_clustered() && !body.is_asleep();
+            let counts = after.is_none_or(|after| k > after) && next.is_none_or(|next| k < next);
+            if counts && self.particles.body(k).is_some_and(is_free) {
+                next = Some(k);
+            }
+        });
+        next
+    }
+
+    /// Somebody faster is clustered now, for whom the step under way may be too long.
+    #[inline(never)]
+    pub(super) fn shorten_step(&mut self) {
+        let none = (S::zero(), S::zero());
+        let step = self.parameters.settings.step(&self.rule, self.clusters.speed, none);
+        self.clusters.shorten(step, self.clock.now);
+    }
+}
