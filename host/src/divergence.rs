@@ -6,8 +6,8 @@
 
 use crate::integrated::Integrated;
 use carom::HeapMemory;
-use carom::law::{Central, Outside, Rule, Soft, Viscoelastic};
-use carom::{Enduring, Error, Grain, World};
+use carom::law::{Central, IntegratedMode, Outside, PaperMode, Rule, Soft, Viscoelastic};
+use carom::{Error, Grain, World};
 use carom_reference::{
     self, Boundary, End, EventKind, Exact, ForceLaw, Partner, ReferenceError, System,
 };
@@ -33,7 +33,9 @@ pub const LAW: Viscoelastic<f64> = Viscoelastic { young: 1.0e7, poisson: 0.4, di
 /// How a gas is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variant {
-    /// eMD*, the matrix of restitution integrated for each contact.
+    /// The default: the same, and where three touch, forces.
+    Clusters,
+    /// eMD*, the matrix of restitution integrated for each contact; until three touch.
     Integrated,
     /// eMD*, the matrix of restitution read from the standard table.
     Table,
@@ -43,12 +45,13 @@ pub enum Variant {
 
 impl Variant {
     /// All of them, the best first.
-    pub const ALL: [Self; 3] = [Self::Integrated, Self::Table, Self::HardSphere];
+    pub const ALL: [Self; 4] = [Self::Clusters, Self::Integrated, Self::Table, Self::HardSphere];
 
     /// Its name in tables and pictures.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
+            Self::Clusters => "clusters",
             Self::Integrated => "eMD*, integrated",
             Self::Table => "eMD*, standard table",
             Self::HardSphere => "eMD",
@@ -93,7 +96,7 @@ pub enum DivergenceError {
     Engine(#[from] Error),
 }
 
-/// Runs one gas for each seed, through `collisions` collisions or the first three-grain contact.
+/// Runs one gas for each seed, through `collisions` collisions; what has pairs only, until three touch.
 ///
 /// # Errors
 /// If a method refuses a gas.
@@ -107,9 +110,11 @@ pub fn study(
         .collect();
     for seed in seeds {
         let grains = gas(seed);
-        let samples = reference_samples(&grains, collisions)?;
+        let (samples, three) = reference_samples(&grains, collisions)?;
+        let pairs = samples.iter().take_while(|sample| sample.time < three).count();
         for errors in &mut all {
-            let found = compare(errors.variant, &grains, &samples)?;
+            let count = if errors.variant == Variant::Clusters { samples.len() } else { pairs };
+            let found = compare(errors.variant, &grains, &samples[..count])?;
             for (list, error) in errors.by_collision.iter_mut().zip(found) {
                 list.push(error);
             }
@@ -160,11 +165,11 @@ fn nearest(x: f64) -> f64 {
     x - edge() * (x / edge()).round()
 }
 
-/// The force-based run at tight tolerance: where the free grains are after each collision.
+/// The force-based run at tight tolerance: where the free grains are after each collision, and when three touch first.
 fn reference_samples(
     grains: &[Grain<f64, 3>],
     collisions: usize,
-) -> Result<Vec<Sample>, ReferenceError> {
+) -> Result<(Vec<Sample>, f64), ReferenceError> {
     let start = || -> Result<Exact<3>, ReferenceError> {
         let periodic = Boundary::Periodic { lo: 0.0, hi: edge() };
         let grains = grains.iter().map(for_reference).collect();
@@ -175,7 +180,6 @@ fn reference_samples(
     let mut run = start()?;
     let mut times = Vec::new();
     while times.len() < collisions
-        && run.first_three_grain_contact().is_none()
         && let Some(event) = run.next_event(f64::MAX)?
     {
         if event.kind == EventKind::End {
@@ -185,9 +189,9 @@ fn reference_samples(
         }
     }
     let three = run.first_three_grain_contact().unwrap_or(f64::MAX);
-    times.retain(|&t| t < three);
     let mut run = start()?;
-    times.into_iter().map(|time| sample(&mut run, time)).collect()
+    let samples = times.into_iter().map(|time| sample(&mut run, time)).collect::<Result<_, _>>()?;
+    Ok((samples, three))
 }
 
 fn for_reference(grain: &Grain<f64, 3>) -> carom_reference::Grain<3> {
@@ -222,10 +226,12 @@ fn compare(
     samples: &[Sample],
 ) -> Result<Vec<f64>, Error> {
     let soft = Soft::viscoelastic(LAW, Outside::HardSphere);
+    let integrated = Integrated::new(LAW);
     match variant {
-        Variant::Integrated => errors(Integrated::new(LAW), grains, samples),
-        Variant::Table => errors(soft, grains, samples),
-        Variant::HardSphere => errors(Central(Integrated::new(LAW)), grains, samples),
+        Variant::Clusters => errors(IntegratedMode(integrated), grains, samples),
+        Variant::Integrated => errors(PaperMode(integrated), grains, samples),
+        Variant::Table => errors(PaperMode(soft), grains, samples),
+        Variant::HardSphere => errors(PaperMode(Central(integrated)), grains, samples),
     }
 }
 
@@ -236,7 +242,6 @@ fn errors(
 ) -> Result<Vec<f64>, Error> {
     let mut storage = HeapMemory::with_capacity(grains.len());
     let mut world = World::builder(&mut storage)
-        .enduring(Enduring::Paper)
         .periodic([[0.0, edge()]; 3])
         .rule(rule)
         .grains(grains.iter().copied())?
@@ -245,7 +250,8 @@ fn errors(
     for sample in samples {
         world.advance_to(sample.time)?;
         let statistics = world.statistics();
-        if statistics.interrupted + statistics.rotation_refused + statistics.hard_sphere > 0 {
+        let outside = if statistics.joins > 0 { 0 } else { statistics.hard_sphere };
+        if statistics.interrupted + statistics.rotation_refused + outside > 0 {
             break;
         }
         let view = world.view();
