@@ -17,6 +17,7 @@ pub mod figure;
 pub mod integrated;
 pub mod method;
 pub mod output;
+pub mod parameter_space;
 pub mod plot;
 pub mod progress;
 pub mod report;

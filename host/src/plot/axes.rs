@@ -65,11 +65,8 @@ impl Axis {
             _ => tick.abs(),
         };
         let digits = (-(step * 1.000_001).log10().floor()).clamp(0.0, 6.0) as usize;
-        let digits = if (step * 10f64.powi(digits as i32)).fract().abs() > 0.01 {
-            digits + 1
-        } else {
-            digits
-        };
+        let last = step * 10f64.powi(digits as i32);
+        let digits = digits + usize::from((last - last.round()).abs() > 0.01);
         let text = format!("{:.*}", digits, if tick.abs() < 1e-12 { 0.0 } else { tick });
         text.replace('-', "−")
     }
