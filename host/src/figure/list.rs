@@ -139,9 +139,15 @@ fn comparison(out: &mut impl Write, notes: &[Note]) -> Result<()> {
         notes.iter().map(|note| of(note).chars().count()).max().unwrap_or(0)
     };
     let (what, paper) = (width(|note| &note.what), width(|note| &note.paper).max(10));
-    writeln!(out, "\n  {:what$}  {:paper$}  we get", "", "paper says")?;
+    let theory = match width(|note| &note.theory) {
+        0 => 0,
+        wide => wide.max(6) + 2,
+    };
+    let title = if theory > 0 { "theory" } else { "" };
+    writeln!(out, "\n  {:what$}  {:paper$}  {title:theory$}we get", "", "paper says")?;
     for note in notes {
-        writeln!(out, "  {:what$}  {:paper$}  {}", note.what, note.paper, note.ours)?;
+        let Note { what: of, paper: says, theory: by, ours } = note;
+        writeln!(out, "  {of:what$}  {says:paper$}  {by:theory$}{ours}")?;
     }
     Ok(())
 }
