@@ -18,6 +18,7 @@ pub mod heaps;
 pub mod integrated;
 pub mod method;
 pub mod output;
+pub mod parameter_space;
 pub mod plot;
 pub mod progress;
 pub mod report;

@@ -92,7 +92,7 @@ fn rows(comparison: &Comparison) -> Result<Vec<u8>> {
 }
 
 /// MP13 Fig. 6, as shipped.
-pub const FIG6: &str = include_str!("../../scenarios/fig6.toml");
+pub const FIG6: &str = crate::figure::mp13::pair::SCENARIO;
 /// The gas, as shipped.
 pub const GAS: &str = include_str!("../../scenarios/gas.toml");
 

@@ -17,6 +17,9 @@ pub struct FigureOptions {
     /// Print the data as JSON instead of a table.
     #[arg(long)]
     json: bool,
+    /// Print the data as CSV: series, x, y and standard error, a line for each point.
+    #[arg(long, conflicts_with_all = ["json", "markdown"])]
+    csv: bool,
     /// Draw the figure into this file (.png or .svg).
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -69,6 +72,9 @@ pub fn figure(options: &FigureOptions) -> Result<()> {
     }
     if options.json {
         return Ok(writeln!(out, "{}", serde_json::to_string_pretty(&made.figure)?)?);
+    }
+    if options.csv {
+        return figure::write_csv(&mut out, &made.figure);
     }
     if options.markdown {
         let origin = page::Origin { full: options.full, date: options.date.clone() };

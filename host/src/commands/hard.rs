@@ -38,7 +38,7 @@ struct Row {
     relative_difference: f64,
 }
 
-const CARNAHAN: &str = "Carnahan & Starling 1969, doi:10.1063/1.1672048";
+const HANSEN_GOOS: &str = "Hansen-Goos 2016, doi:10.1063/1.4947534";
 const KOLAFA: &str = "Kolafa & Rottner 2006, doi:10.1080/00268970600967963";
 const LUE: &str = "Lue 2005, doi:10.1063/1.1834498";
 
@@ -86,9 +86,9 @@ fn spheres(
     let fluid = Fluid { seed: options.seed, ..Fluid::elastic(grains, 0.5) };
     let plan = Plan { equilibrate: 100, block, blocks };
     let measured = measure::<3>(&fluid, plan, || progress.add(1))?;
-    let z = pressure::carnahan_starling(pressure::packing_of_spheres(fluid.density));
+    let z = pressure::hansen_goos(pressure::packing_of_spheres(fluid.density));
     Ok(vec![
-        row(system, "Z", measured.compressibility, z, CARNAHAN),
+        row(system, "Z", measured.compressibility, z, HANSEN_GOOS),
         row(system, "mean free time", measured.mean_free_time, pressure::LUE, LUE),
     ])
 }

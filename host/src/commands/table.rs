@@ -1,6 +1,7 @@
 //! `carom table`: what do the tables hold? Reads certificates; writes text, JSON or pictures.
 
-use crate::plot::{self, Scene, matrix};
+use crate::plot::matrix::{self, Maps};
+use crate::plot::{self, Scene};
 use crate::report::write_aligned;
 use crate::tables::{Size, embedded};
 use anyhow::Result;
@@ -213,8 +214,8 @@ fn rounded(value: f64) -> String {
 fn figure(number: u8) -> Scene {
     match number {
         3 => matrix::fig3(),
-        4 => matrix::coefficients(Law::LinearDashpot),
-        _ => matrix::coefficients(Law::Viscoelastic),
+        4 => Maps::new(Law::LinearDashpot).draw(),
+        _ => Maps::new(Law::Viscoelastic).draw(),
     }
 }
 

@@ -164,6 +164,8 @@ pub struct Note {
     pub what: String,
     /// What the paper says, or "not given".
     pub paper: String,
+    /// What a formula says that carom evaluates; empty where there is none.
+    pub theory: String,
     /// What we get.
     pub ours: String,
 }
@@ -171,7 +173,14 @@ pub struct Note {
 impl Note {
     /// One line of the comparison.
     pub fn new(what: impl Into<String>, paper: impl Into<String>, ours: impl Into<String>) -> Self {
-        Self { what: what.into(), paper: paper.into(), ours: ours.into() }
+        let theory = String::new();
+        Self { what: what.into(), paper: paper.into(), theory, ours: ours.into() }
+    }
+
+    /// The same with what a formula says.
+    #[must_use]
+    pub fn theory(self, theory: impl Into<String>) -> Self {
+        Self { theory: theory.into(), ..self }
     }
 }
 

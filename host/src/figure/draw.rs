@@ -3,13 +3,13 @@
 //! Lines, dots, error bars, a legend to the right, and the paper's numbers as grey dashed lines or open squares.
 
 use super::data::{Figure, Series};
+pub use super::style::{Kind, Mark, PlotStyle, Scale};
 use crate::plot::text::{self, Align, Style};
 use crate::plot::{Axis, Colour, Item, Panel, Rect, Scene, Stroke};
 use tiny_skia::Transform;
 
 const GREY: Colour = Colour::rgb(0x88, 0x88, 0x88);
 const MARKED: Stroke = Stroke::dashed(GREY, 1.2, 5.0, 3.0);
-const DOT: f64 = 2.6;
 const PLACE: Rect = Rect { x: 66.0, y: 36.0, width: 350.0, height: 270.0 };
 
 /// Draws a figure.
@@ -23,7 +23,7 @@ pub fn draw(figure: &Figure, style: &PlotStyle) -> Scene {
         show_mark(&mut scene, &panel, mark);
     }
     for (number, series) in figure.series.iter().enumerate() {
-        curve(&mut scene, &panel, series, style.kind(number), style.colour(number));
+        curve(&mut scene, &panel, series, style, number);
     }
     panel.frame(&mut scene);
     let [x, y] = style.labels.clone().unwrap_or([figure.axes.x.clone(), figure.axes.y.clone()]);
@@ -36,7 +36,7 @@ pub fn draw(figure: &Figure, style: &PlotStyle) -> Scene {
 fn axis(figure: &Figure, style: &PlotStyle, direction: usize) -> Axis {
     let scale = [style.x, style.y][direction];
     let [low, high] = scale.range.unwrap_or_else(|| {
-        let all = figure.series.iter().flat_map(|s| values(s, direction));
+        let all = figure.series.iter().flat_map(|s| values(s, direction, scale.logarithmic));
         let marks = style.marks.iter().flat_map(|mark| mark.values(direction));
         let seen = |x: &f64| x.is_finite() && (!scale.logarithmic || *x > 0.0);
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
@@ -48,14 +48,21 @@ fn axis(figure: &Figure, style: &PlotStyle, direction: usize) -> Axis {
 }
 
 /// What a curve reaches, with its error bars.
-fn values(series: &Series, direction: usize) -> Vec<f64> {
+fn values(series: &Series, direction: usize, logarithmic: bool) -> Vec<f64> {
     let Series { x, y, yerr, .. } = series;
     if direction == 0 {
         return x.clone();
     }
     let error = |i: usize| yerr.get(i).copied().unwrap_or(0.0);
-    y.iter().enumerate().flat_map(|(i, y)| [*y, y - error(i), y + error(i)]).collect()
+    let reach = |(i, y): (usize, &f64)| {
+        let [low, high] = [y - error(i), y + error(i)];
+        [*y, if logarithmic { low.max(y / OPEN) } else { low }, high]
+    };
+    y.iter().enumerate().flat_map(reach).collect()
 }
+
+/// An error bar on a logarithmic axis goes down to this part of the value at most.
+const OPEN: f64 = 3.0;
 
 fn margins([low, high]: [f64; 2]) -> [f64; 2] {
     if !(low <= high) {
@@ -77,29 +84,45 @@ fn decades([low, high]: [f64; 2]) -> [f64; 2] {
     [10f64.powf(low.log10().floor()), 10f64.powf(high.log10().ceil())]
 }
 
-fn curve(scene: &mut Scene, panel: &Panel, series: &Series, kind: Kind, colour: Colour) {
+fn curve(scene: &mut Scene, panel: &Panel, series: &Series, style: &PlotStyle, number: usize) {
+    let (kind, pen) = (style.kind(number), style.pen(number));
     let points: Vec<_> = series.x.iter().zip(&series.y).map(|(x, y)| [*x, *y]).collect();
     if kind != Kind::Dots {
-        panel.line(scene, &points, Stroke::solid(colour, 1.5));
+        panel.line(scene, &points, pen);
     }
     for ([x, y], error) in points.iter().zip(&series.yerr) {
-        bar(scene, panel, *x, [y - error, y + error], Stroke::solid(colour, 1.0));
+        bar(scene, panel, [*x, *y], *error, Stroke::solid(pen.colour, 1.0));
     }
     if kind != Kind::Line {
-        points.iter().for_each(|[x, y]| panel.dot(scene, *x, *y, DOT, colour));
+        let place = Some(panel.place);
+        points.iter().for_each(|[x, y]| marker(scene, panel.at(*x, *y), number, pen.colour, place));
     }
 }
 
-/// An error bar with its caps. Where its lower end is not on a logarithmic axis, it ends at the frame.
-fn bar(scene: &mut Scene, panel: &Panel, x: f64, [low, high]: [f64; 2], pen: Stroke) {
-    let Rect { y: top, height, .. } = panel.place;
+/// An error bar with its caps. On a logarithmic axis it is open below where it would reach a third of the value.
+fn bar(scene: &mut Scene, panel: &Panel, [x, y]: [f64; 2], error: f64, pen: Stroke) {
+    let open = panel.y.is_logarithmic() && y - error < y / OPEN;
+    let low = if open { y / OPEN } else { y - error };
     let place = Some(panel.place);
-    let [across, above] = panel.at(x, high);
-    let below = Some(panel.at(x, low)[1]).filter(|y| y.is_finite()).unwrap_or(top + height);
+    let ([across, above], [_, below]) = (panel.at(x, y + error), panel.at(x, low));
     scene.line(&[[across, below], [across, above]], pen, place);
-    for y in [below, above] {
+    for y in [above, below].into_iter().take(if open { 1 } else { 2 }) {
         scene.line(&[[across - 2.5, y], [across + 2.5, y]], pen, place);
     }
+}
+
+/// The mark of a point: the first curve's is full, the others' are open and of another form each, so that none hides another.
+fn marker(scene: &mut Scene, at: [f64; 2], number: usize, tone: Colour, clip: Option<Rect>) {
+    let pen = Stroke::solid(tone, 1.1);
+    let corners: &[[f64; 2]] = match number % 5 {
+        0 => return scene.disc(at, 2.3, Some(tone), None, clip),
+        1 => &[[-2.9, -2.9], [2.9, -2.9], [2.9, 2.9], [-2.9, 2.9], [-2.9, -2.9], [2.9, -2.9]],
+        2 => &[[-3.6, 2.6], [3.6, 2.6], [0.0, -3.8], [-3.6, 2.6], [3.6, 2.6]],
+        3 => &[[0.0, -4.2], [4.2, 0.0], [0.0, 4.2], [-4.2, 0.0], [0.0, -4.2], [4.2, 0.0]],
+        _ => &[[-3.2, -3.2], [3.2, 3.2], [f64::NAN; 2], [-3.2, 3.2], [3.2, -3.2]],
+    };
+    let outline: Vec<_> = corners.iter().map(|[x, y]| [at[0] + x, at[1] + y]).collect();
+    scene.line(&outline, pen, clip);
 }
 
 fn show_mark(scene: &mut Scene, panel: &Panel, mark: &Mark) {
@@ -152,177 +175,30 @@ fn legend_width(figure: &Figure, style: &PlotStyle) -> f64 {
 fn entries(scene: &mut Scene, figure: &Figure, style: &PlotStyle) {
     let left = PLACE.x + PLACE.width + 14.0;
     let mut y = PLACE.y + 8.0;
-    let mut entry = |scene: &mut Scene, name: &str, pen: Option<Stroke>, dot: Option<Colour>| {
+    let mut named = |scene: &mut Scene, name: &str, pen: Option<Stroke>| {
         if let Some(pen) = pen {
-            scene.line(&[[left, y], [left + 20.0, y]], pen, None);
+            scene.line(&[[left, y], [left + 22.0, y]], pen, None);
         }
-        if let Some(colour) = dot {
-            scene.disc([left + 10.0, y], DOT, Some(colour), None, None);
-        }
-        if pen.is_none() && dot.is_none() {
-            square(scene, [left + 10.0, y]);
-        }
-        scene.text([left + 26.0, y + 3.4], name, Style::new(NAME, Colour::INK, Align::Left));
+        let letters = Style::new(NAME, Colour::INK, Align::Left);
+        scene.text([left + 28.0, y + 3.4], name, letters);
         y += 14.5;
+        [left + 11.0, y - 14.5]
     };
     for (number, series) in figure.series.iter().enumerate() {
-        let (kind, colour) = (style.kind(number), style.colour(number));
-        let pen = (kind != Kind::Dots).then(|| Stroke::solid(colour, 1.5));
-        entry(scene, &plain(&series.name), pen, (kind != Kind::Line).then_some(colour));
+        let (kind, pen) = (style.kind(number), style.pen(number));
+        let at = named(scene, &plain(&series.name), (kind != Kind::Dots).then_some(pen));
+        if kind != Kind::Line {
+            marker(scene, at, number, pen.colour, None);
+        }
     }
     for mark in style.marks.iter().filter(|mark| !mark.name().is_empty()) {
-        let pen = (!matches!(mark, Mark::Points(..))).then_some(MARKED);
-        entry(scene, mark.name(), pen, None);
-    }
-}
-
-/// How an axis is divided.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scale {
-    /// Equal steps are equal factors.
-    pub logarithmic: bool,
-    /// From where to where; none to fit the data.
-    pub range: Option<[f64; 2]>,
-}
-
-impl Scale {
-    /// Equal steps, fitted to the data.
-    pub const LINEAR: Self = Self { logarithmic: false, range: None };
-    /// Equal factors, fitted to the data.
-    pub const LOG: Self = Self { logarithmic: true, range: None };
-
-    /// The same over a given range.
-    #[must_use]
-    pub const fn from(self, low: f64, high: f64) -> Self {
-        Self { range: Some([low, high]), ..self }
-    }
-}
-
-/// How a curve is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A line without dots.
-    Line,
-    /// Dots without a line.
-    Dots,
-    /// Both.
-    Both,
-}
-
-/// Something of the paper's, to compare with; drawn in grey.
-#[derive(Clone, Debug)]
-pub enum Mark {
-    /// A level: a dashed line across.
-    Level(f64, String),
-    /// A place: a dashed line upwards.
-    Place(f64, String),
-    /// A curve: dashed.
-    Curve(Vec<[f64; 2]>, String),
-    /// Points: open squares.
-    Points(Vec<[f64; 2]>, String),
-}
-
-/// How a figure is drawn. Texts take the marks of [`crate::plot::text`].
-#[derive(Clone, Debug)]
-pub struct PlotStyle {
-    /// Over the picture.
-    pub title: String,
-    /// What stands along the axes, if it differs from the figure's own labels.
-    pub labels: Option<[String; 2]>,
-    /// From left to right.
-    pub x: Scale,
-    /// From bottom to top.
-    pub y: Scale,
-    /// How the curves are drawn, by their number; the last holds for those that follow.
-    pub kinds: Vec<Kind>,
-    /// The curves' colours, by their number; a palette serves those that follow.
-    pub colours: Vec<Colour>,
-    /// The paper's numbers.
-    pub marks: Vec<Mark>,
-}
-
-impl PlotStyle {
-    /// Lines with dots on linear axes.
-    pub fn new(title: impl Into<String>) -> Self {
-        Self {
-            title: title.into(),
-            labels: None,
-            x: Scale::LINEAR,
-            y: Scale::LINEAR,
-            kinds: vec![Kind::Both],
-            colours: Vec::new(),
-            marks: Vec::new(),
-        }
-    }
-
-    /// The same with other words along the axes.
-    #[must_use]
-    pub fn labels(self, x: &str, y: &str) -> Self {
-        Self { labels: Some([x.to_owned(), y.to_owned()]), ..self }
-    }
-
-    /// The same on other axes.
-    #[must_use]
-    pub fn scales(self, x: Scale, y: Scale) -> Self {
-        Self { x, y, ..self }
-    }
-
-    /// The same with curves drawn so.
-    #[must_use]
-    pub fn kinds(self, kinds: &[Kind]) -> Self {
-        Self { kinds: kinds.to_vec(), ..self }
-    }
-
-    /// The same with one more of the paper's numbers.
-    #[must_use]
-    pub fn mark(mut self, mark: Mark) -> Self {
-        self.marks.push(mark);
-        self
-    }
-
-    fn kind(&self, number: usize) -> Kind {
-        self.kinds.get(number).or(self.kinds.last()).copied().unwrap_or(Kind::Both)
-    }
-
-    fn colour(&self, number: usize) -> Colour {
-        let others = number.saturating_sub(self.colours.len());
-        self.colours.get(number).copied().unwrap_or(PALETTE[others % PALETTE.len()])
-    }
-}
-
-impl Mark {
-    fn name(&self) -> &str {
-        match self {
-            Self::Level(_, name)
-            | Self::Place(_, name)
-            | Self::Curve(_, name)
-            | Self::Points(_, name) => name,
-        }
-    }
-
-    fn values(&self, direction: usize) -> Vec<f64> {
-        match self {
-            Self::Level(y, _) if direction == 1 => vec![*y],
-            Self::Place(x, _) if direction == 0 => vec![*x],
-            Self::Level(..) | Self::Place(..) => Vec::new(),
-            Self::Curve(points, _) | Self::Points(points, _) => {
-                points.iter().map(|point| point[direction]).collect()
-            }
+        let points = matches!(mark, Mark::Points(..));
+        let at = named(scene, mark.name(), (!points).then_some(MARKED));
+        if points {
+            square(scene, at);
         }
     }
 }
-
-/// Distinct for the colour-blind too.
-const PALETTE: [Colour; 8] = [
-    Colour::INK,
-    Colour::EMD,
-    Colour::EMD_STAR,
-    Colour::BLUE,
-    Colour::rgb(0xe0, 0x9f, 0x00),
-    Colour::rgb(0x9a, 0x4d, 0xa8),
-    Colour::rgb(0x58, 0xb5, 0xe3),
-    Colour::rgb(0x80, 0x5b, 0x36),
-];
 
 /// Puts the second picture to the right of the first.
 pub fn beside(first: Scene, second: Scene) -> Scene {

@@ -56,8 +56,9 @@ const BSFP14: &[Entry] = &[
     entry!(
         "bsfp14-7",
         "a bouncing ball on plates at any height: naive detection halts, the stable one rests",
-        bsfp14::ball::make
+        bsfp14::plates::make
     ),
+    entry!("bsfp14-7-path", "height of the bouncing ball against time", bsfp14::path::make),
 ];
 
 /// The figures of L94.
@@ -70,12 +71,22 @@ const L94: &[Entry] = &[
     entry!("l94-4a", "ε_eff of a layer in two dimensions, against the gaps", l94::layer::make_a),
     entry!("l94-4b", "loss of layers in contact, against their height", l94::layer::make_b),
     entry!("l94-5", "a column on a vibrating plate, for two contact times", l94::paths::on_a_plate),
+    entry!(
+        "l94-6a",
+        "a bead of a shaken column, against the phase of the plate",
+        l94::phase::make_a
+    ),
+    entry!("l94-6b", "a column on a vibrating plate, as in the experiment", l94::phase::make_b),
     entry!("l94-7", "height of a strongly shaken column, against α", l94::shaken::make),
     entry!("l94-table1", "exponents of depth, duration and loss of a contact", l94::table1::make),
 ];
 
 /// The figures of MP13, and what the paper leaves open.
 const MP13: &[Entry] = &[
+    entry!("mp13-3", "ε_φ of elastic collisions, over MP13's Table I", mp13::maps::make_3),
+    entry!("mp13-4", "the matrix of restitution, linear dashpot", mp13::maps::make_4),
+    entry!("mp13-5", "the matrix of restitution, viscoelastic spheres", mp13::maps::make_5),
+    entry!("mp13-6", "two soft grains by eMD and by eMD*, against MD", mp13::pair::make),
     entry!(
         "mp13-7",
         "how often eMD* cannot treat a contact as one of two grains alone",
@@ -128,9 +139,15 @@ fn comparison(out: &mut impl Write, notes: &[Note]) -> Result<()> {
         notes.iter().map(|note| of(note).chars().count()).max().unwrap_or(0)
     };
     let (what, paper) = (width(|note| &note.what), width(|note| &note.paper).max(10));
-    writeln!(out, "\n  {:what$}  {:paper$}  we get", "", "paper says")?;
+    let theory = match width(|note| &note.theory) {
+        0 => 0,
+        wide => wide.max(6) + 2,
+    };
+    let title = if theory > 0 { "theory" } else { "" };
+    writeln!(out, "\n  {:what$}  {:paper$}  {title:theory$}we get", "", "paper says")?;
     for note in notes {
-        writeln!(out, "  {:what$}  {:paper$}  {}", note.what, note.paper, note.ours)?;
+        let Note { what: of, paper: says, theory: by, ours } = note;
+        writeln!(out, "  {of:what$}  {says:paper$}  {by:theory$}{ours}")?;
     }
     Ok(())
 }

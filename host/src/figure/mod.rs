@@ -15,6 +15,9 @@ mod list;
 pub mod mp13;
 pub mod number;
 pub mod page;
+mod style;
+mod table;
 
 pub use data::{Axes, Entry, Figure, Made, Note, Options, Series, Value};
 pub use list::{all, find, print};
+pub use table::write_csv;

@@ -65,9 +65,17 @@ pub fn index<'a>(entries: impl Iterator<Item = &'a Entry>) -> String {
 }
 
 fn comparison(notes: &[Note]) -> String {
-    let mut text = "| | the paper says | carom gets |\n|---|---|---|".to_owned();
-    for Note { what, paper, ours } in notes {
-        let _ = write!(text, "\n| {} | {} | {} |", cell(what), cell(paper), cell(ours));
+    let with_theory = notes.iter().any(|note| !note.theory.is_empty());
+    let row = |[what, paper, theory, ours]: [&str; 4]| match with_theory {
+        true => format!("| {what} | {paper} | {theory} | {ours} |"),
+        false => format!("| {what} | {paper} | {ours} |"),
+    };
+    let mut text = row(["", "the paper says", "theory", "carom gets"]).replace("|  |", "| |");
+    text.push('\n');
+    text.push_str(&row(["---"; 4]).replace(' ', ""));
+    for Note { what, paper, theory, ours } in notes {
+        let cells = [what, paper, theory, ours].map(|text| cell(text));
+        let _ = write!(text, "\n{}", row(cells.each_ref().map(String::as_str)));
     }
     text
 }

@@ -10,6 +10,7 @@ pub struct Axis {
     high: f64,
     logarithmic: bool,
     ticks: Vec<f64>,
+    minor: Vec<f64>,
     labelled: bool,
 }
 
@@ -20,27 +21,38 @@ impl Axis {
         let first = (low / step - 1e-9).ceil() as i64;
         let last = (high / step + 1e-9).floor() as i64;
         let ticks = (first..=last).map(|k| k as f64 * step).collect();
-        Self { low, high, logarithmic: false, ticks, labelled: true }
+        Self { low, high, logarithmic: false, ticks, minor: Vec::new(), labelled: true }
     }
 
     /// A linear axis with given ticks.
     pub const fn with_ticks(low: f64, high: f64, ticks: Vec<f64>) -> Self {
-        Self { low, high, logarithmic: false, ticks, labelled: true }
+        Self { low, high, logarithmic: false, ticks, minor: Vec::new(), labelled: true }
     }
 
-    /// A logarithmic axis with a tick at powers of ten, every so many decades.
+    /// A logarithmic axis with a tick at powers of ten, every so many decades, and short ticks between: at the
+    /// multiples of a power of ten, or at the powers without a number.
     pub fn logarithmic(low: f64, high: f64) -> Self {
         let (first, last) = (low.log10().ceil() as i32, high.log10().floor() as i32);
         let every = 1 + (last - first).max(0) / 8;
         let ticks =
             (first..=last).filter(|k| k.rem_euclid(every) == 0).map(|k| 10f64.powi(k)).collect();
-        Self { low, high, logarithmic: true, ticks, labelled: true }
+        let inside = |x: &f64| (low..=high).contains(x);
+        let minor = match every {
+            1 => (first - 1..=last).flat_map(multiples).filter(inside).collect(),
+            _ => (first..=last).map(|k| 10f64.powi(k)).collect(),
+        };
+        Self { low, high, logarithmic: true, ticks, minor, labelled: true }
     }
 
     /// The same axis without numbers at its ticks.
     pub fn unlabelled(mut self) -> Self {
         self.labelled = false;
         self
+    }
+
+    /// Equal steps are equal factors.
+    pub const fn is_logarithmic(&self) -> bool {
+        self.logarithmic
     }
 
     /// 0 at the low end, 1 at the high end.
@@ -65,14 +77,16 @@ impl Axis {
             _ => tick.abs(),
         };
         let digits = (-(step * 1.000_001).log10().floor()).clamp(0.0, 6.0) as usize;
-        let digits = if (step * 10f64.powi(digits as i32)).fract().abs() > 0.01 {
-            digits + 1
-        } else {
-            digits
-        };
+        let last = step * 10f64.powi(digits as i32);
+        let digits = digits + usize::from((last - last.round()).abs() > 0.01);
         let text = format!("{:.*}", digits, if tick.abs() < 1e-12 { 0.0 } else { tick });
         text.replace('-', "−")
     }
+}
+
+/// 2, 3, … 9 times a power of ten.
+fn multiples(power: i32) -> impl Iterator<Item = f64> {
+    (2..10).map(move |digit| f64::from(digit) * 10f64.powi(power))
 }
 
 /// 1, 2 or 5 times a power of ten, at least as large as `rough`.
@@ -115,26 +129,37 @@ impl Panel {
 
     /// Draws frame, ticks and numbers; over the lines, so last.
     pub fn frame(&self, scene: &mut Scene) {
+        scene.rectangle(self.place, None, Some(Stroke::solid(Colour::INK, THIN)));
+        self.marks(scene);
+        let Rect { x, y, width, height } = self.place;
+        let bottom = y + height;
+        for tick in self.x.ticks.iter().filter(|_| self.x.labelled) {
+            let at = [x + width * self.x.fraction(*tick), bottom + 3.0 + SMALL];
+            let style = Style::new(SMALL, Colour::INK, Align::Middle);
+            scene.text(at, &self.x.label(*tick), style);
+        }
+        for tick in self.y.ticks.iter().filter(|_| self.y.labelled) {
+            let at = [x - 4.0, bottom - height * self.y.fraction(*tick) + 0.36 * SMALL];
+            let style = Style::new(SMALL, Colour::INK, Align::Right);
+            scene.text(at, &self.y.label(*tick), style);
+        }
+    }
+
+    /// Ticks along all four sides.
+    fn marks(&self, scene: &mut Scene) {
         let pen = Stroke::solid(Colour::INK, THIN);
-        scene.rectangle(self.place, None, Some(pen));
         let Rect { x, y, width, height } = self.place;
         let (right, bottom) = (x + width, y + height);
-        for tick in &self.x.ticks {
-            let at = x + width * self.x.fraction(*tick);
-            scene.line(&[[at, bottom], [at, bottom - TICK]], pen, None);
-            scene.line(&[[at, y], [at, y + TICK]], pen, None);
-            if self.x.labelled {
-                let style = Style::new(SMALL, Colour::INK, Align::Middle);
-                scene.text([at, bottom + 3.0 + SMALL], &self.x.label(*tick), style);
+        for (ticks, size) in [(&self.x.ticks, TICK), (&self.x.minor, 0.5 * TICK)] {
+            for at in ticks.iter().map(|tick| x + width * self.x.fraction(*tick)) {
+                scene.line(&[[at, bottom], [at, bottom - size]], pen, None);
+                scene.line(&[[at, y], [at, y + size]], pen, None);
             }
         }
-        for tick in &self.y.ticks {
-            let at = bottom - height * self.y.fraction(*tick);
-            scene.line(&[[x, at], [x + TICK, at]], pen, None);
-            scene.line(&[[right, at], [right - TICK, at]], pen, None);
-            if self.y.labelled {
-                let style = Style::new(SMALL, Colour::INK, Align::Right);
-                scene.text([x - 4.0, at + 0.36 * SMALL], &self.y.label(*tick), style);
+        for (ticks, size) in [(&self.y.ticks, TICK), (&self.y.minor, 0.5 * TICK)] {
+            for at in ticks.iter().map(|tick| bottom - height * self.y.fraction(*tick)) {
+                scene.line(&[[x, at], [x + size, at]], pen, None);
+                scene.line(&[[right, at], [right - size, at]], pen, None);
             }
         }
     }

@@ -9,6 +9,7 @@ mod axes;
 mod file;
 pub mod matrix;
 pub mod methods;
+mod pair;
 mod scene;
 pub mod text;
 

@@ -2,3 +2,5 @@
 
 pub mod ball;
 pub mod gas;
+pub mod path;
+pub mod plates;

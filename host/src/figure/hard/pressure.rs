@@ -145,6 +145,25 @@ pub fn carnahan_starling(eta: f64) -> f64 {
     (1.0 + eta + eta * eta - eta.powi(3)) / (1.0 - eta).powi(3)
 }
 
+/// Coefficients of η^0, η^1, … in [`hansen_goos`].
+const SPHERES: [f64; 8] =
+    [9.0, -19.0, 47.0 / 3.0, -2.635_232, -1.265_575, 0.041_212, 0.248_245, -0.096_495];
+
+/// Z of hard spheres at packing fraction η: Hansen-Goos (J. Chem. Phys. 144, 164506, 2016,
+/// doi:10.1063/1.4947534), Eq. (6) and Table I, a fit to simulations over the whole fluid.
+///
+/// ```
+/// use carom_host::figure::hard::pressure::hansen_goos;
+/// // The virial coefficients B2 to B7: exact, and Labík, Kolafa and Malijevský (Phys. Rev. E 71, 021105, 2005).
+/// let virial = [1.0, 4.0, 10.0, 18.364768, 28.22445, 39.81550, 53.3413];
+/// let z: f64 = (0..).zip(virial).map(|(k, b)| b * 0.1_f64.powi(k)).sum();
+/// assert!((hansen_goos(0.1) - z).abs() < 2e-5);
+/// ```
+pub fn hansen_goos(eta: f64) -> f64 {
+    let sum = SPHERES.iter().rev().fold(0.0, |sum, c| sum * eta + c);
+    8.0 * libm::log1p(-eta) / eta + sum / (1.0 - eta).powi(3)
+}
+
 /// Coefficients of x^1, x^2, … in [`kolafa_rottner`].
 const DISKS: [f64; 12] = [
     2.0,

@@ -4,6 +4,8 @@ pub mod column;
 pub mod hard;
 pub mod layer;
 pub mod loss;
+mod panels;
 pub mod paths;
+pub mod phase;
 pub mod shaken;
 pub mod table1;

@@ -261,6 +261,9 @@ pub fn make(options: &Options) -> Result<Made> {
     }
     let notes = (0..AGITATIONS.len()).map(|k| note(&figure, k)).collect();
     let picture = picture(&figure);
+    let mut formula = Series::new("Eq. (10)").param("method", "theory");
+    AGITATIONS.iter().for_each(|a| formula.push(*a, theory(*a)));
+    let figure = figure.with(formula);
     Ok(Made { figure, picture, notes })
 }
 

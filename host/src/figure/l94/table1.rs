@@ -9,6 +9,9 @@ use carom_reference::{End, ForceLaw, Grain, ReferenceError, collide};
 
 /// β and γ of Table I. Two misprints: β of the third row is 1/2, and ν_2 of the fourth is −1/5.
 pub const ROWS: [[f64; 2]; 5] = [[0.0, 0.0], [0.0, 0.2], [0.5, 0.0], [0.5, 0.5], [0.5, 0.25]];
+/// ν1, ν2, ν3 as the table prints them, row by row.
+const PRINTED: [&str; 5] =
+    ["1, 0, 0", "1, 0, 1/5", "4/5, −1/5, −1/5 (at β = 1)", "4/5, −3/5, 1/5", "4/5, −1/5, 0"];
 /// Impact speeds of the fit (m/s).
 const SPEEDS: [f64; 4] = [1e-3, 1e-2, 1e-1, 1.0];
 /// 1 − ε at 1 m/s, about: the exponents are those of weak dissipation.
@@ -69,7 +72,7 @@ pub fn make(_: &Options) -> Result<Made> {
     let axes = ["k: ν1 of x_max, ν2 of t_c, ν3 of 1 - ε", "exponent ν_k of v0"];
     let mut figure = Figure::new("l94-table1", axes);
     let (mut notes, mut wanted) = (Vec::new(), Vec::new());
-    for row in ROWS {
+    for (row, printed) in ROWS.into_iter().zip(PRINTED) {
         let (found, right) = (measured(row)?, theory(row));
         let [beta, gamma] = row;
         let mut series = Series::new(format!("MD, β = {beta}, γ = {gamma}"))
@@ -84,7 +87,7 @@ pub fn make(_: &Options) -> Result<Made> {
         figure = figure.with(series);
         let shown = |nu: [f64; 3]| nu.map(|nu| fixed(nu, 5)).join(", ");
         let what = format!("ν1, ν2, ν3 for β = {beta}, γ = {gamma}");
-        notes.push(Note::new(what, shown(right), shown(found)));
+        notes.push(Note::new(what, printed, shown(found)).theory(shown(right)));
     }
     let style = PlotStyle::new("Exponents of the impact speed (L94 Table I)")
         .labels("*k*: ν_{1} of *x*_{max}, ν_{2} of *t*_{c}, ν_{3} of 1 − ε", "ν_{k}")
@@ -92,5 +95,15 @@ pub fn make(_: &Options) -> Result<Made> {
         .kinds(&[Kind::Dots])
         .mark(Mark::Points(wanted, "Eqs. (A1), (A2), (A4)".to_owned()));
     let picture = draw::draw(&figure, &style);
+    let figure = ROWS.into_iter().fold(figure, |figure, row| figure.with(by_theory(row)));
     Ok(Made { figure, picture, notes })
+}
+
+fn by_theory([beta, gamma]: [f64; 2]) -> Series {
+    let series = Series::new(format!("Eqs. (A1), (A2), (A4), β = {beta}, γ = {gamma}"))
+        .param("method", "theory")
+        .param("beta", beta)
+        .param("gamma", gamma);
+    let nu = theory([beta, gamma]);
+    (1..).zip(nu).fold(series, |series, (k, nu)| series.point(f64::from(k), nu))
 }
