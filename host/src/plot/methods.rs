@@ -115,7 +115,7 @@ fn curve(comparison: &Comparison, summary: &Summary, of: fn(&Difference) -> f64)
 pub fn divergence(study: &[Errors], runs: usize) -> Scene {
     let mut scene = Scene::new(470.0, 380.0);
     let style = Style::new(11.0, Colour::INK, Align::Left);
-    let title = format!("{runs} gases of ten viscoelastic grains, until three touch");
+    let title = format!("{runs} gases of ten viscoelastic grains; pairs only, until three touch");
     scene.text([64.0, 20.0], &title, style);
     let collisions = study.first().map_or(1, |errors| errors.by_collision.len());
     let ticks = (1..=collisions).map(|k| k as f64).collect();
@@ -140,7 +140,7 @@ pub fn divergence(study: &[Errors], runs: usize) -> Scene {
     panel.labels(&mut scene, "collision number", "distance from exact MD [*l*]", 44.0);
     panel.title(&mut scene, "positions of free grains: median (solid), largest (dotted)");
     let legend: Vec<_> = legend.iter().map(|(text, pen)| (text.as_str(), *pen)).collect();
-    panel.legend(&mut scene, [300.0, 284.0], &legend);
+    panel.legend(&mut scene, [300.0, 264.0], &legend);
     scene
 }
 
