@@ -6,13 +6,13 @@ use crate::error::Error;
 use crate::law::Rule;
 use crate::particle::Body;
 use crate::resolve::{Context, Crowd, Effects, Grains, slack};
-use crate::scalar::{Scalar, norm};
+use crate::scalar::{Scalar, Vector, max_abs};
 use crate::schedule::is_tied;
-use crate::space::flight;
 
-/// Those who collide, as they are before it, and whether another event has the same time.
+/// Those who collide, how fast they are before it, and whether another event has the same time.
 pub(super) struct Before<S: Scalar, const D: usize> {
-    pair: [Option<(usize, Body<S, D>)>; 2],
+    pair: [Option<usize>; 2],
+    velocities: [Vector<S, D>; 2],
     is_tied: bool,
 }
 
@@ -29,18 +29,31 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let may = event.kind == EventKind::Collision
             && settings.is_integrated(&self.rule)
             && settings.has_instantaneous;
-        may.then(|| Before {
-            pair: [Some(grain), event.partner.as_grain()]
-                .map(|x| x.and_then(|x| self.particles.body(x).map(|body| (x, *body)))),
-            is_tied: is_tied(&self.queue, (grain, event)),
+        may.then(|| {
+            let pair = [Some(grain), event.partner.as_grain()];
+            Before {
+                pair,
+                velocities: pair.map(|x| x.map_or(Vector::zeros(), |x| self.velocity_now(x))),
+                is_tied: is_tied(&self.queue, (grain, event)),
+            }
         })
+    }
+
+    /// The velocity of a grain that flies.
+    #[inline]
+    fn velocity_now(&self, grain: usize) -> Vector<S, D> {
+        let Some(body) = self.particles.body(grain) else { return Vector::zeros() };
+        match self.domain.is_weightless() {
+            true => body.velocity,
+            false => body.velocity + self.domain.gravity() * (self.clock.now - body.clock),
+        }
     }
 
     /// The same collision with all others of this instant that share a grain with it, if there are such.
     #[inline]
     pub(super) fn collide_together(&mut self, before: &Before<S, D>) -> Result<(), Error> {
         let mut pair = before.pair.iter().flatten();
-        if before.is_tied || pair.any(|&(grain, _)| self.collides_again(grain)) {
+        if before.is_tied || pair.any(|&grain| self.collides_again(grain)) {
             return self.gather(before);
         }
         Ok(())
@@ -55,7 +68,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return false;
         };
         let span = event.time - now;
-        span <= now.rounding() * S::from_f32(8.0) || norm(&body.velocity) * span <= slack(body)
+        span <= now.rounding() * S::from_f32(8.0) || max_abs(&body.velocity) * span <= slack(body)
     }
 
     #[inline(never)]
@@ -69,10 +82,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             clusters: &mut self.clusters,
             effects: &mut effects,
         };
-        let now = context.clock.now;
-        let first = before.pair.iter().flatten().map(|(grain, body)| {
-            let velocity = flight::at(body, context.domain, now).velocity;
-            (*grain, Body { velocity, ..context.present(*grain) })
+        let pair = before.pair.iter().zip(&before.velocities);
+        let first = pair.filter_map(|(&grain, &velocity)| {
+            grain.map(|grain| (grain, Body { velocity, ..context.present(grain) }))
         });
         let Some(crowd) = Crowd::gather(&context, &self.rule, first) else { return Ok(()) };
         let (grains, [pairs, walls]) = crowd.happen(&mut context);
