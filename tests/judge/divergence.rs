@@ -13,15 +13,16 @@ fn median(errors: &Errors, collision: usize) -> f64 {
 fn check(seeds: std::ops::Range<u64>) {
     let runs = (seeds.end - seeds.start) as usize;
     let all = study(seeds, 10).unwrap();
-    let [integrated, table, hard] = &all[..] else { panic!() };
+    let [clusters, integrated, table, hard] = &all[..] else { panic!() };
     assert_eq!(
-        (integrated.variant, table.variant, hard.variant),
-        (Variant::Integrated, Variant::Table, Variant::HardSphere)
+        (clusters.variant, integrated.variant, table.variant, hard.variant),
+        (Variant::Clusters, Variant::Integrated, Variant::Table, Variant::HardSphere)
     );
     for k in 0..10 {
         println!(
-            "{:2} {:3} runs: integrated {:.1e} (largest {:.1e}), table {:.1e}, eMD {:.1e}",
+            "{:2} clusters {:.1e}, {:3} runs: integrated {:.1e} (largest {:.1e}), table {:.1e}, eMD {:.1e}",
             k + 1,
+            median(clusters, k),
             integrated.by_collision[k].len(),
             median(integrated, k),
             max(integrated, k),
@@ -31,6 +32,10 @@ fn check(seeds: std::ops::Range<u64>) {
         assert!(max(integrated, k) < 1e-6, "collision {}: {:e}", k + 1, max(integrated, k));
     }
     assert!(integrated.by_collision[0].len() > runs * 3 / 4);
+    // None ends where three touch. By the tenth collision they have in half of all gases.
+    assert!(clusters.by_collision.iter().all(|list| list.len() == runs));
+    assert!(max(clusters, 0) < 1e-4, "{:e}", max(clusters, 0));
+    assert!(runs < 100 || median(clusters, 9) < 1e-9, "{:e}", median(clusters, 9));
     // The table starts at its certificate: an angle wrong by the certified error, carried to the sample
     // just after the contact, displaces by no more than the same fraction of l, and so does the rest.
     let certificate = carom::law::embedded::standard::VISCOELASTIC.certificate.largest;
