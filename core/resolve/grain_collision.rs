@@ -25,7 +25,10 @@ pub(super) fn collide<S: Scalar, const D: usize>(
         return Err(Error::Overlap { grain: i, with: Partner::grain(k), gap });
     };
     if !(frame.radial < S::zero()) {
-        // Deferred until a contact could be ended, or grazing within rounding: they part already.
+        // Deferred until a contact could be ended, or grazing within rounding: they part already, and are
+        // predicted from here. From where they were, rounding could say that they near each other, again and again.
+        context.replace(i, a);
+        context.replace(k, b);
         return Ok(EventOutcome::Unchanged);
     }
     let impact = frame.impact(&a, &b);
