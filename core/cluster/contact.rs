@@ -53,9 +53,8 @@ impl<S: Scalar> Touching<S> {
         settings: &Settings<S>,
         depth: S,
     ) -> Option<(ContactForce<S>, S)> {
-        if self.hard.is_none()
-            && let Some(force) = rule.force(&self.impact, depth)
-        {
+        let own = if self.hard.is_none() { rule.force(&self.impact, depth) } else { None };
+        if let Some(force) = own {
             return Some((force, S::zero()));
         }
         let slow = settings.slow_speed(self.radius);

@@ -145,11 +145,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> Forces<'_, '_, S, D, R> {
         let mean = touching.mean_force(self.rule, self.settings, self.step);
         self.deepest = self.deepest.max(touching.overlap);
         self.frequency = self.frequency.max(mean.frequency);
-        if let Some(crush) = Crush::of(touching, i, with)
-            && self.crush.is_none_or(|most| crush.part > most.part)
-        {
-            self.crush = Some(crush);
-        }
+        let more = |crush: &Crush<S>| self.crush.is_none_or(|most| crush.part > most.part);
+        self.crush = Crush::of(touching, i, with).filter(more).or(self.crush);
         mean.force
     }
 

@@ -11,9 +11,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// A grain's next event. Without cells it is brought back into the box first, so that the nearest
     /// image is one box length away at most.
     pub(super) fn predict(&mut self, grain: usize) -> ScheduledEvent<S> {
+        let settled = |body: &Body<S, D>| body.is_clustered() || body.is_asleep();
         if self.parameters.settings.is_integrated(&self.rule)
-            && let Some(body) = self.particles.body(grain)
-            && (body.is_clustered() || body.is_asleep())
+            && self.particles.body(grain).is_some_and(settled)
         {
             return self.predict_settled(grain);
         }
