@@ -187,13 +187,13 @@ test("outside the table: an error, counted, or integrated, as the page chooses",
   }
 });
 
-test("the modules keep to 150 KiB with both standard tables", () => {
+test("the modules keep to 180 KiB with both standard tables", () => {
   const dist = new URL("../dist/", import.meta.url);
   const modules = readdirSync(dist).filter((name) => name.endsWith(".wasm"));
   assert.equal(modules.length, 3);
   for (const name of modules) {
     const { size } = statSync(new URL(name, dist));
-    console.log(`${name}: ${size} bytes of ${150 * 1024}`);
-    assert.ok(size <= 150 * 1024, `${name} has ${size} bytes`);
+    console.log(`${name}: ${size} bytes of ${180 * 1024}`);
+    assert.ok(size <= 180 * 1024, `${name} has ${size} bytes`);
   }
 });
