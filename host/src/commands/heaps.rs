@@ -1,8 +1,9 @@
 //! `carom soak --heaps`: can a heap stop the engine? Draws boxes and runs them; writes those that broke, and a line for each family.
 
-use crate::heaps::{self, Drawn, Ended, Families, Number, Report};
+use crate::heaps::{self, Drawn, Ended, Families, Number, Report, Summary};
 use crate::progress::Progress;
 use anyhow::{Result, ensure};
+use rayon::prelude::*;
 use std::io::Write;
 
 /// The most grains of a box. Of more than 30 a small one's acceleration does not fit 16 binary places.
@@ -19,19 +20,27 @@ pub fn soak(boxes: u64, seed: u64, number: Number) -> Result<()> {
     let mut out = std::io::stdout().lock();
     let progress = Progress::new("heaps", boxes);
     let mut families = Families::new();
-    for seed in (0..boxes).map(|k| seed.wrapping_add(k)) {
-        let (drawn, report) = heaps::run(seed, most(number), number);
-        families.entry(heaps::family(&drawn)).or_default().add(&drawn, &report);
-        if let Ended::Broken(what) = &report.ended {
-            broken(&mut out, (&drawn, &report), what)?;
+    let all: Vec<u64> = (0..boxes).map(|k| seed.wrapping_add(k)).collect();
+    for some in all.chunks(64) {
+        let ran: Vec<_> =
+            some.par_iter().map(|&seed| heaps::run(seed, most(number), number)).collect();
+        for (drawn, report) in &ran {
+            families.entry(heaps::family(drawn)).or_default().add(drawn, report);
+            if let Ended::Broken(what) = &report.ended {
+                broken(&mut out, (drawn, report), what)?;
+            }
         }
-        progress.add(1);
+        progress.add(some.len() as u64);
     }
     drop(progress);
     table(&mut out, &families)?;
-    let broken: u64 = families.values().map(|summary| summary.broken).sum();
+    let sum = |of: fn(&Summary) -> u64| families.values().map(of).sum::<u64>();
+    let (broken, crushed) = (sum(|all| all.broken), sum(|all| all.crushed));
     let seconds = begin.elapsed().as_secs_f64();
-    writeln!(out, "{boxes} boxes, {broken} broke; {seconds:.0} s")?;
+    writeln!(
+        out,
+        "{boxes} boxes, {broken} broke, in {crushed} a grain was crushed; {seconds:.0} s"
+    )?;
     ensure!(broken == 0, "{broken} of {boxes} boxes broke");
     Ok(())
 }
@@ -50,13 +59,14 @@ fn broken(out: &mut impl Write, (drawn, report): (&Drawn, &Report), what: &str) 
 fn table(out: &mut impl Write, families: &Families) -> Result<()> {
     writeln!(
         out,
-        "{:<40}{:>7}{:>8}{:>8}{:>8}{:>8}{:>8}{:>10}{:>9}{:>9}{:>8}",
+        "{:<40}{:>7}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>10}{:>9}{:>9}{:>8}",
         "family (time in (R/g)^½)",
         "boxes",
         "asleep",
         "median",
         "latest",
         "sliding",
+        "crushed",
         "broken",
         "energy",
         "overlap",
@@ -69,12 +79,13 @@ fn table(out: &mut impl Write, families: &Families) -> Result<()> {
         let time = |time: Option<f64>| time.map_or("-".to_owned(), |time| format!("{time:.0}"));
         writeln!(
             out,
-            "{name:<40}{:>7}{:>8}{:>8}{:>8}{:>8}{:>8}{:>10.1e}{:>9.3}{:>9.0}{:>8.1}",
+            "{name:<40}{:>7}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>10.1e}{:>9.3}{:>9.0}{:>8.1}",
             summary.boxes,
             summary.asleep.len(),
             time(summary.median()),
             time(summary.asleep.last().copied()),
             summary.sliding,
+            summary.crushed,
             summary.broken,
             summary.rise,
             summary.deepest,

@@ -15,7 +15,8 @@ struct Seen {
 /// The deepest overlap that is one and not a passage, in units of the smaller radius.
 const DEEPEST: f64 = 0.9;
 
-/// By how much of its scale energy may rise; in a number of 16 binary places by ten times as much.
+/// By how much of its scale energy may rise; in `f32` by three times, in a number of 16 binary places by ten times as
+/// much: the errors of steps are random there, and heat.
 const ENERGY: f64 = 1e-2;
 
 /// What is followed of a box while it runs.
@@ -34,6 +35,8 @@ pub(super) struct Watch {
     pub rise: f64,
     /// The deepest overlap, in units of the smaller radius.
     pub deepest: f64,
+    /// Whether a grain was seen deeper in something than is an overlap, or behind it.
+    pub is_too_deep: bool,
 }
 
 fn plain<S: Scalar>(from: impl IntoIterator<Item = S>) -> [f64; 3] {
@@ -80,6 +83,7 @@ impl Watch {
             planes: drawn.planes.clone(),
             rise: 0.0,
             deepest: 0.0,
+            is_too_deep: false,
         };
         watch.energy = watch.total();
         // A radius high, or as fast as they start.
@@ -125,7 +129,11 @@ impl Watch {
         if !self.is_driven {
             self.rise = self.rise.max((self.total() - self.energy) / self.scale);
         }
-        let coarse = if self.resolution > 1e-6 { 10.0 } else { 1.0 };
+        let coarse = match self.resolution {
+            1e-6.. => 10.0,
+            1e-8.. => 3.0,
+            _ => 1.0,
+        };
         if self.rise > ENERGY * coarse {
             return Err(format!("energy rose by {:.1} % at {time}", 100.0 * self.rise));
         }
@@ -142,6 +150,7 @@ impl Watch {
                 let depth = 1.0 - gap / grain.radius;
                 self.deepest = self.deepest.max(depth);
                 if depth > DEEPEST {
+                    self.is_too_deep = true;
                     return Err(format!("grain {i} is {depth:.2} radii in plane {p} at {time}"));
                 }
             }
@@ -160,6 +169,7 @@ impl Watch {
                 let was = minus(&before[i].position, &before[k].position);
                 let passed = self.is_line && dot(&apart, &was) < 0.0;
                 if depth > DEEPEST || passed {
+                    self.is_too_deep = true;
                     return Err(format!("grains {i} and {k} overlap by {depth:.2} radii"));
                 }
             }

@@ -34,6 +34,9 @@ pub enum Ended {
         /// Whether it had to be at rest but for what slides.
         slides: bool,
     },
+    /// Its law is too soft for what fell on one of the grains: it lay within another, or within a plane, and the
+    /// world had said so before (`EventOutcome::Crushed`).
+    Crushed,
     /// Something broke: what.
     Broken(String),
 }
@@ -185,6 +188,7 @@ impl<S: Scalar, const D: usize> Run<'_, '_, S, D> {
             let turned = self.turn(time / unit);
             match turned.and_then(|()| self.advance(time, unit)) {
                 Ok(more) => events += more,
+                Err(_) if self.is_crushed() => break Ended::Crushed,
                 Err(what) => break Ended::Broken(what),
             }
             let collisions = (self.collisions() - before) as f64;
@@ -192,6 +196,11 @@ impl<S: Scalar, const D: usize> Run<'_, '_, S, D> {
         };
         let Watch { rise, deepest, .. } = self.watch;
         Report { ended, rise, deepest, events, collisions: most, seconds: 0.0 }
+    }
+
+    /// Whether something lies so deep in something else that what follows means nothing, and the world has said so.
+    fn is_crushed(&self) -> bool {
+        self.watch.is_too_deep && self.world.statistics().crushed > 0
     }
 
     fn collisions(&self) -> u64 {

@@ -26,6 +26,8 @@ pub struct Summary {
     pub asleep: Vec<f64>,
     /// How many still slid on a smooth floor.
     pub sliding: u64,
+    /// In how many something was crushed.
+    pub crushed: u64,
     /// How many broke.
     pub broken: u64,
     /// The largest of what was measured.
@@ -49,6 +51,7 @@ impl Summary {
             }
             Ended::Asleep(_) | Ended::Moving { slides: false } => {}
             Ended::Moving { slides: true } => self.sliding += 1,
+            Ended::Crushed => self.crushed += 1,
             Ended::Broken(_) => self.broken += 1,
         }
         self.rise = self.rise.max(report.rise);
