@@ -5,6 +5,7 @@ const FILES = ["carom-line.wasm", "carom-plane.wasm", "carom-space.wasm"];
 const MATERIALS = ["hard", "linear", "viscoelastic"];
 const OUTSIDE = ["reject", "clamp", "hard-sphere", "integrate"];
 const METHODS = ["emd", "emd*"];
+const MODES = ["integrated", "paper"];
 const GRAINS = 0, POSITIONS = 1, VELOCITIES = 2, STATES = 3, STATISTICS = 4, CLOCK = 5, ERROR = 6, NAMES = 7;
 const GRAIN_FIELDS = 9;
 
@@ -80,7 +81,7 @@ function describe(wasm, options, dimension) {
   const r = /** @type {any} */ (rule);
   const numbers = [[r.restitution], [r.stiffness, r.damping], [r.young, r.poisson, r.dissipation]][material];
   wasm.rule(material, lasting, outside, numbers[0], numbers[1] ?? 0, numbers[2] ?? 0);
-  wasm.tc(options.contactTime ?? 0);
+  wasm.contacts(indexOf("mode", MODES, options.mode ?? "integrated"), options.contactTime ?? NaN, options.stepsPerContact ?? 0);
   wasm.gravity(...vector("gravity", options.gravity ?? [0, 0, 0].slice(0, dimension), dimension));
 }
 
