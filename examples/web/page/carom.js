@@ -89,7 +89,8 @@ function describe(wasm, options, dimension) {
 function fill(table, grains, dimension) {
   grains.forEach((grain, i) => {
     const { radius, density, material = 0 } = grain;
-    const mass = grain.mass ?? (4 / 3) * Math.PI * radius ** 3 * (density ?? NaN);
+    // Not `radius ** 3`: browsers differ in its last place, and grains would go other ways.
+    const mass = grain.mass ?? (4 / 3) * Math.PI * radius * radius * radius * (density ?? NaN);
     const at = vector(`grain ${i}: position`, grain.position, dimension);
     const moving = vector(`grain ${i}: velocity`, grain.velocity ?? new Float64Array(dimension), dimension);
     table.set([radius, mass, material, ...at, ...moving], GRAIN_FIELDS * i);

@@ -52,8 +52,8 @@ function build(grains) {
     return createScene({ ...world, walls: { sides, restitution }, rule });
   }
   // Rubber balls whose ε at 1 m/s is about what the slider says.
-  const rule = /** @type {const} */ ({ material: "viscoelastic", young: 2e7, poisson: 0.45, outside: "hard-sphere" });
-  const dissipation = 1.6e-3 * -Math.log(restitution);
+  const rule = /** @type {const} */ ({ material: "viscoelastic", young: 1e7, poisson: 0.45, outside: "hard-sphere" });
+  const dissipation = 2e-3 * -Math.log(restitution);
   return createScene({ ...world, walls: { sides }, rule: { ...rule, dissipation } });
 }
 
