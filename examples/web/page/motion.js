@@ -5,11 +5,11 @@ import { colour, scale } from "./drawing.js";
 
 /** The states of a scene by their numbers: as a colour of the theme, and as one says it. */
 const MOTIONS = /** @type {const} */ ([
-  ["flight", "flying"], ["contact", "in a contact of two"], ["rest", "asleep"], ["cluster", "in a cluster"],
+  ["flight", "flying"], ["contact", "in pairs"], ["rest", "asleep"], ["cluster", "in clusters"],
 ]);
 
-/** This speed has the warmest colour: a fall of 2.5 m. */
-const FAST = 7;
+/** This speed has the warmest colour: a fall of 4 m. */
+const FAST = 9;
 
 /** The colour of each grain: by how it moves, or how fast. @param {string} by @param {import("./carom.js").Scene} scene */
 export function colouring(by, { states, velocities }) {

@@ -6,14 +6,14 @@ import { arrow, circle, colour, formatNumber, surface } from "./drawing.js";
 import { colouring, count as countMotions, legend } from "./motion.js";
 
 const G = 9.81;
-/** The box is 4 m wide, so that a grain of 7 cm rolls over its neighbour in a fifth of a second. */
+/** The box is 4 m wide: grains of 5 to 8 cm fall through it in a second. */
 const SIDE = 4;
 /** Covered by grains: this share of the box. */
 const COVERED = 0.42;
 /** Steps in a contact of a cluster: as few as carom takes. How long contacts last is carom's own choice. */
 const STEPS = 8;
 /** Milliseconds that events may take in a frame, and in one call. */
-const BUDGET = 9, CALL = 1.5;
+const BUDGET = 9, CALL = 1;
 
 /** @type {import("./carom.js").Scene | undefined} */
 let scene;
