@@ -2,7 +2,7 @@
 # How is the page made? Reads page/ and src/; writes dist/: static files for any file server.
 # Needs a stable Rust toolchain with the target wasm32-unknown-unknown (rustup target add wasm32-unknown-unknown).
 # Where that target cannot be had, Debian's rustc-web (same compiler, with its library's source) builds it.
-# Where there is npm, binaryen's wasm-opt makes the modules a twelfth smaller.
+# Where there is npm, binaryen's wasm-opt makes the modules smaller.
 set -euo pipefail
 cd "$(dirname "$0")"
 target=wasm32-unknown-unknown
