@@ -1,9 +1,11 @@
 //! What does the firmware of every family do? The tilt box and its measurements; reads a chip, writes text.
 
-use carom::law::PaperMode;
 use carom::law::embedded::read::Table;
+use carom::law::{HardSphere, IntegratedMode, PaperMode};
 use carom::{Error, World};
 use carom_scenes::Number;
+use carom_scenes::heap::{Heap16, heap};
+use carom_scenes::largest::{Largest, largest};
 use carom_scenes::measure::{self, Cost};
 use carom_scenes::scene::Rubber;
 use carom_scenes::tilt::{self, Board, READINGS};
@@ -43,11 +45,64 @@ pub fn measure_all<S: Number>(
     for (name, table) in tables {
         measure::<S>(name, table, runs, stack, board);
         println!("{name}.lookup {}", measure::lookup::<S>(table, board));
+        if runs > 1 {
+            measure_largest::<S>(name, table, board);
+        }
     }
     match measure::time_stepped::<S>(S::compact(), BEGIN, STEPS, board) {
         Ok(instructions) => println!("md {instructions}"),
         Err(error) => println!("md.error {error}"),
     }
+}
+
+/// The largest step and the largest frame of the tilt box with one table: another run, event by event.
+#[inline(never)]
+fn measure_largest<S: Number>(
+    name: &str,
+    table: &'static Table<S::Stored>,
+    board: &mut impl Board,
+) {
+    let mut memory = tilt::memory::<S>();
+    let run = tilt::tilt_box(&mut memory, table)
+        .and_then(|mut world| largest(&mut world, 0..READINGS, tilt::accelerometer, board));
+    match run {
+        Ok(most) => show(name, &most),
+        Err(error) => println!("{name}.error {error}"),
+    }
+}
+
+/// The box of 16 is held still after the script until all sleep, but not longer than that many readings.
+const HELD: u32 = 400;
+
+/// Measures the box of 16 that heaps up in the default mode, one line for each number.
+pub fn measure_heap<S: Number>(board: &mut impl Board) {
+    let mut memory = Heap16::<S>::default();
+    println!("memory {}", size_of::<Heap16<S>>());
+    println!("world {}", size_of::<World<'_, S, 2, IntegratedMode<HardSphere<S>>>>());
+    let run = heap(&mut memory).and_then(|mut world| {
+        let swung = largest(&mut world, 0..READINGS, tilt::accelerometer, board)?;
+        show("swung", &swung);
+        println!("swung.clustered {}", world.statistics().steps);
+        let down = |_| tilt::accelerometer(0);
+        show("held", &largest(&mut world, READINGS..READINGS + HELD, down, board)?);
+        println!("held.clustered {}", world.statistics().steps);
+        println!("digest {:016x}", world.digest());
+        Ok(())
+    });
+    if let Err(error) = run {
+        println!("heap.error {error}");
+    }
+}
+
+/// One line for each number.
+fn show(name: &str, most: &Largest) {
+    println!("{name}.step {}", most.step);
+    println!("{name}.turn {}", most.turn);
+    println!("{name}.frame {}", most.frame);
+    println!("{name}.all {}", most.all);
+    println!("{name}.events {}", most.events);
+    println!("{name}.last {}", most.last);
+    println!("{name}.asleep {}", most.asleep);
 }
 
 /// Measures the tilt box with one table.

@@ -16,7 +16,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The tilt box must fit into a micro:bit. All scenes with all tables in three number types do not, nor does
     // the force-based run beside the other.
     let board = if small { MICROBIT } else { MPS2 };
-    for (image, memory) in [("replay", MPS2), ("tilt_box", board), ("measure", MPS2)] {
+    let images = [("replay", MPS2), ("tilt_box", board), ("measure", MPS2), ("heap", MPS2)];
+    for (image, memory) in images {
         let directory = out.join(image);
         std::fs::create_dir_all(&directory)?;
         std::fs::write(directory.join("memory.x"), memory)?;

@@ -5,6 +5,8 @@
 //! With them every number stays near one, as fixed-point scalars need it.
 #![no_std]
 
+pub mod heap;
+pub mod largest;
 pub mod measure;
 pub mod replay;
 pub mod scene;

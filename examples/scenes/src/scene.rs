@@ -162,21 +162,23 @@ pub fn hard16<S: Number>(
     boxed(memory, IntegratedMode(HardSphere { restitution: n(0.5) }))
 }
 
+/// One of sixteen grains of 0.7 to 1.3 mm, on a lattice in a box of 12 mm.
+pub(crate) fn sixteen<S: Scalar>(k: u32) -> Grain<S, 2> {
+    let (column, row, odd) = (f64::from(k % 4), f64::from(k / 4), f64::from(k * 7 % 16));
+    let at = [1.5 + 3.0 * column, 1.5 + 3.0 * row];
+    grain(0.7 + 0.04 * odd, at, [0.02 * (odd - 7.5), 0.03 * (column - row)])
+}
+
 /// Sixteen grains in a box.
 fn boxed<S: Number, R: Rule<S>>(
     memory: &mut impl Storage<S, 2>,
     rule: R,
 ) -> Result<World<'_, S, 2, R>, Error> {
-    let site = |k: u32| {
-        let (column, row, odd) = (f64::from(k % 4), f64::from(k / 4), f64::from(k * 7 % 16));
-        let at = [1.5 + 3.0 * column, 1.5 + 3.0 * row];
-        grain(0.7 + 0.04 * odd, at, [0.02 * (odd - 7.5), 0.03 * (column - row)])
-    };
     World::builder(memory)
         .walls([v([0.0, 12.0]); 2])
         .gravity(v([0.0, -GRAVITY]))
         .rule(rule)
-        .grains((0..16).map(site))?
+        .grains((0..16).map(sixteen))?
         .start()
 }
 

@@ -69,8 +69,18 @@ export interface SceneOptions {
   /** `[low, high]` for each periodic axis; `null` for the others. */
   periodic?: ([number, number] | null)[];
   gravity?: Vector;
-  /** t_c of the TC rule; 0, the default, is no such rule. */
+  /**
+   * Contacts that last or crowd: integrated, so that heaps come to rest (the default); or as in the papers, where each is
+   * an event (L94, BSFP14) or a pair's own affair (MP13).
+   */
+  mode?: "integrated" | "paper";
+  /**
+   * How long a slow contact of hard grains lasts; (R/g)^½/16 by default, at most 0.7 (R/g)^½. In the papers' mode
+   * t_c of the TC rule, by default no such rule.
+   */
   contactTime?: number;
+  /** Steps in the shortest contact of a cluster: 32 by default, at least 8. */
+  stepsPerContact?: number;
   rule: Rule;
   grains: Grain[];
 }
@@ -79,7 +89,7 @@ export interface SceneOptions {
 export type Statistics = Record<
   | "collisions" | "planeCollisions" | "releases" | "rotationRefused" | "interrupted" | "deferred"
   | "clamped" | "hardSphere" | "rests" | "takeOffs" | "withinTc" | "collapses" | "supportedCollisions"
-  | "reordered" | "stale" | "cellCrossings" | "rechecks" | "epochs" | "integrated",
+  | "reordered" | "stale" | "cellCrossings" | "rechecks" | "epochs" | "joins" | "steps" | "crushed" | "integrated",
   number
 >;
 
@@ -95,7 +105,7 @@ export interface Scene {
   /** `dimension` numbers for each grain; read only. */
   readonly velocities: Float64Array;
   readonly radii: Float64Array;
-  /** For each grain 0: in flight, 1: in a lasting contact, 2: at rest. */
+  /** For each grain 0: in flight, 1: in a contact of two, 2: at rest, 3: in a cluster. */
   readonly states: Uint8Array;
   readonly time: number;
   /** Nothing happens before this time; `Infinity` if nothing ever will. */

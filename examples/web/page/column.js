@@ -25,6 +25,7 @@ async function restart() {
   const [pair, wall] = md.restitutions;
   const ed = await createScene({
     dimension: 1,
+    mode: "paper",
     planes: [{ normal: [1], offset: 0, restitution: wall, vibration: { amplitude, frequency: FREQUENCY } }],
     gravity: [-G],
     rule: { material: "hard", restitution: pair },

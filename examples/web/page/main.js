@@ -92,7 +92,7 @@ function frame(now) {
   }
   frames.work.push(performance.now() - start);
   frames.apart.push(apart);
-  if (frames.work.length > 600) for (const list of [frames.work, frames.apart]) list.shift();
+  if (frames.work.length > 3600) for (const list of [frames.work, frames.apart]) list.shift();
 }
 open(location.hash.slice(1) || names[0]);
 requestAnimationFrame(frame);

@@ -75,7 +75,7 @@ async function byEvents(e, rule) {
   const grains = places.map((place, i) => ({
     radius: RADIUS, density: DENSITY, velocity: speeds[i], position: place.map((x, a) => x + BEGIN * speeds[i][a]),
   }));
-  const scene = await createScene(/** @type {any} */ ({ rule, grains }));
+  const scene = await createScene(/** @type {any} */ ({ mode: "paper", rule, grains }));
   const now = () => [0, 1].map((i) => [scene.positions[2 * i], scene.positions[2 * i + 1]]);
   /** Between events grains fly straight: so the events are the whole path. */
   const legs = [{ from: scene.time, places: now(), speeds: [...scene.velocities] }];

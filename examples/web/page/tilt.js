@@ -2,20 +2,29 @@
 
 import { createScene } from "./carom.js";
 import { announcer, button, choice, find, player, setText, slider } from "./controls.js";
-import { arrow, circle, colour, formatNumber, scale, surface } from "./drawing.js";
+import { arrow, circle, colour, formatNumber, surface } from "./drawing.js";
+import { colouring, count as countMotions, legend } from "./motion.js";
 
-const G = 9.81, PLAYBACK_SPEED = 0.4, BUDGET = 9, SLICE = 128;
-/** Duration of a real rubber contact, for the TC rule of hard spheres (s). */
-const CONTACT = 2e-3;
+const G = 9.81;
+/** The box is 4 m wide: grains of 5 to 8 cm fall through it in a second. */
+const SIDE = 4;
 /** Covered by grains: this share of the box. */
 const COVERED = 0.42;
+/** Steps in a contact of a cluster: as few as carom takes. How long contacts last is carom's own choice. */
+const STEPS = 8;
+/** Milliseconds that events may take in a frame, and in one call. */
+const BUDGET = 9, CALL = 1;
 
 /** @type {import("./carom.js").Scene | undefined} */
 let scene;
 let gravity = [0, -G];
-let target = 0, latestRequest = 0, tossed = 0;
-/** Events and simulated time against what was due, of the last second. */
-const rate = { since: 0, frames: 0, work: 0, events: 0, simulated: 0, due: 0, before: 0 };
+let latestRequest = 0, tossed = 0;
+/** Simulated time that has not been computed in time, since the start. */
+let behind = 0;
+/** What an event takes, in milliseconds. */
+let pace = 0.05;
+/** Of the last second: frames, their work and the longest, simulated time and what was due; events before it. */
+const rate = { since: 0, frames: 0, work: 0, longest: 0, simulated: 0, due: 0, before: 0 };
 
 /** @type {(seed: number) => () => number} */
 const random = (seed) => () => (seed = (seed * 16807) % 2147483647) / 2147483647;
@@ -24,56 +33,37 @@ const random = (seed) => () => (seed = (seed * 16807) % 2147483647) / 2147483647
 function lattice(n) {
   const next = random(20);
   const side = Math.ceil(Math.sqrt(n));
-  const mean = Math.min(Math.sqrt(COVERED / (n * Math.PI)), 0.075);
+  const mean = SIDE * Math.min(Math.sqrt(COVERED / (n * Math.PI)), 0.075);
   return Array.from({ length: n }, (_, i) => ({
     radius: mean * [0.8, 1, 1.2][Math.floor(3 * next())],
     density: 1100,
-    position: [((i % side) + 0.5) / side, (Math.floor(i / side) + 0.5) / side],
-    velocity: [next() - 0.5, next() - 0.5],
-  }));
-}
-
-/** The grains as they are, or none if there should be others. */
-function present() {
-  const old = scene;
-  if (!old || old.count !== controls.count.value) return null;
-  return Array.from({ length: old.count }, (_, i) => ({
-    radius: old.radii[i],
-    density: 1100,
-    position: [...old.positions.subarray(2 * i, 2 * i + 2)],
-    velocity: [...old.velocities.subarray(2 * i, 2 * i + 2)],
+    position: [((i % side) + 0.5) / side, (Math.floor(i / side) + 0.5) / side].map((x) => SIDE * x),
+    velocity: [2 * next() - 1, 2 * next() - 1],
   }));
 }
 
 /** @param {import("./carom.js").Grain[]} grains */
 function build(grains) {
   const restitution = controls.bounce.value;
-  const walls = { sides: /** @type {[number, number][]} */ ([[0, 1], [0, 1]]) };
-  if (controls.method.value === "emd") {
+  const sides = /** @type {[number, number][]} */ ([[0, SIDE], [0, SIDE]]);
+  const world = { gravity, grains, stepsPerContact: STEPS };
+  if (controls.material.value === "hard") {
     const rule = /** @type {const} */ ({ material: "hard", restitution });
-    return createScene({ walls: { ...walls, restitution }, gravity, contactTime: CONTACT, rule, grains });
+    return createScene({ ...world, walls: { sides, restitution }, rule });
   }
   // Rubber balls whose ε at 1 m/s is about what the slider says.
-  const rule = /** @type {const} */ ({ material: "viscoelastic", young: 2e7, poisson: 0.45, outside: "hard-sphere" });
-  const dissipation = 4.4e-4 * -Math.log(restitution);
-  return createScene({ walls, gravity, rule: { ...rule, dissipation }, grains });
+  const rule = /** @type {const} */ ({ material: "viscoelastic", young: 1e7, poisson: 0.45, outside: "hard-sphere" });
+  const dissipation = 2e-3 * -Math.log(restitution);
+  return createScene({ ...world, walls: { sides }, rule: { ...rule, dissipation } });
 }
 
-async function restart(keep = true) {
+async function restart() {
   const request = ++latestRequest;
-  const old = keep ? present() : null;
-  let made;
-  try {
-    made = await build(old ?? lattice(controls.count.value));
-  } catch (error) {
-    // Grains in a soft contact overlap, and a world cannot start so.
-    if (!old) throw error;
-    made = await build(lattice(controls.count.value));
-  }
+  const made = await build(lattice(controls.count.value));
   if (request !== latestRequest) return;
   scene = made;
-  target = 0;
-  Object.assign(rate, { since: performance.now(), frames: 0, work: 0, events: 0, simulated: 0, due: 0, before: 0 });
+  behind = tossed = 0;
+  Object.assign(rate, { since: performance.now(), frames: 0, work: 0, longest: 0, simulated: 0, due: 0, before: 0 });
 }
 
 /** @param {number[]} to */
@@ -93,18 +83,16 @@ const view = surface(find("tilt-canvas"));
 const canvas = find("tilt-canvas");
 const announce = announcer("tilt-announcement");
 const controls = {
-  count: slider("tilt-count", Math.round, (n) => `N = ${n}`, () => void restart(false)),
+  count: slider("tilt-count", Math.round, (n) => `N = ${n}`, () => void restart()),
   bounce: slider("tilt-bounce", (x) => x, (x) => `ε = ${x.toFixed(2)}`, () => void restart()),
-  method: choice("tilt-method", (method) => {
-    if (method === "emd*" && controls.count.value > 60) controls.count.set(60);
-    void restart(false);
-  }),
+  material: choice("tilt-material", () => void restart()),
+  colours: choice("tilt-colours", (by) => legend("tilt", by)),
 };
 const play = player("tilt-play");
 button("tilt-toss", toss);
 button("tilt-down", () => pull([0, -G]));
 button("tilt-none", () => pull([0, 0]));
-button("tilt-reset", () => void restart(false));
+button("tilt-reset", () => void restart());
 
 function toss() {
   if (Math.hypot(...gravity) < 0.01) gravity = [0, -G];
@@ -161,23 +149,30 @@ function advance(dt) {
   if (!scene) return;
   const begin = performance.now();
   const from = scene.time;
-  target = Math.max(target, from) + PLAYBACK_SPEED * dt;
-  while (!scene.advanceTo(Math.max(target, scene.time), SLICE) && performance.now() - begin < BUDGET);
-  target = Math.min(target, scene.time + PLAYBACK_SPEED * dt);
+  let [arrived, now] = [false, begin];
+  while (!arrived && now - begin < BUDGET) {
+    const events = Math.min(Math.max(Math.round(CALL / pace), 2), 1000);
+    arrived = scene.advanceTo(Math.max(from + dt, scene.time), events);
+    const then = now;
+    now = performance.now();
+    if (!arrived) pace += 0.3 * (Math.max((now - then) / events, 1e-4) - pace);
+  }
   rate.simulated += scene.time - from;
-  rate.due += PLAYBACK_SPEED * dt;
-  if (tossed > 0 && (tossed -= dt) <= 0) pull(gravity);
+  rate.due += dt;
+  behind += Math.max(dt - (scene.time - from), 0);
+  if (tossed > 0 && (tossed -= scene.time - from) <= 0) pull(gravity);
 }
 
 function draw() {
   view.fit();
   if (!scene) return;
   const { pen, size } = view;
-  const { positions, velocities, radii } = scene;
+  const { positions, radii } = scene;
+  const zoom = size.width / SIDE;
+  const ink = colouring(controls.colours.value, scene);
   for (let i = 0; i < scene.count; i++) {
-    const speed = Math.hypot(velocities[2 * i], velocities[2 * i + 1]);
-    circle(pen, positions[2 * i] * size.width, size.height * (1 - positions[2 * i + 1]), radii[i] * size.width - 0.4);
-    pen.fillStyle = scale(Math.sqrt(speed / 3.5));
+    circle(pen, positions[2 * i] * zoom, size.height - positions[2 * i + 1] * zoom, radii[i] * zoom - 0.4);
+    pen.fillStyle = ink(i);
     pen.fill();
   }
   compass();
@@ -202,28 +197,37 @@ function count(spent) {
   if (!scene) return;
   rate.frames += 1;
   rate.work += spent;
+  rate.longest = Math.max(rate.longest, spent);
   const now = performance.now();
   const passed = (now - rate.since) / 1000;
   if (passed < 1) return;
   const c = scene.statistics;
-  const events = c.collisions + c.planeCollisions + c.releases + c.interrupted;
+  const events = c.collisions + c.planeCollisions + c.releases + c.interrupted + c.steps;
   setText("tilt-fps", (rate.frames / passed).toFixed(0));
   setText("tilt-work", `${(rate.work / rate.frames).toFixed(1)} ms`);
+  setText("tilt-longest", `${rate.longest.toFixed(1)} ms`);
   setText("tilt-events", Math.round((events - rate.before) / passed).toLocaleString("en"));
-  setText("tilt-speed", rate.due > 0 ? `${Math.round((100 * PLAYBACK_SPEED * rate.simulated) / rate.due)} %` : "paused");
+  setText("tilt-speed", rate.due > 0 ? `${Math.round((100 * rate.simulated) / rate.due)} %` : "paused");
+  setText("tilt-behind", `${behind.toFixed(1)} s`);
   setText("tilt-total", events.toLocaleString("en"));
   setText("tilt-energy", `${formatNumber(scene.kineticEnergy, 2)} J`);
-  const frames = rate.frames / passed;
-  announce(() => `${scene?.count} grains, ${frames.toFixed(0)} frames a second, gravity ${Math.hypot(...gravity).toFixed(1)} metres per second squared.`);
-  Object.assign(rate, { since: now, frames: 0, work: 0, simulated: 0, due: 0, before: events });
+  setText("tilt-time", `${scene.time.toFixed(1)} s`);
+  Object.assign(rate, { since: now, frames: 0, work: 0, longest: 0, simulated: 0, due: 0, before: events });
 }
 
-export const start = () => restart(false);
+export async function start() {
+  legend("tilt", controls.colours.value);
+  await restart();
+}
 
 /** @param {number} dt */
 export function frame(dt) {
   const begin = performance.now();
   if (play.playing) advance(dt);
   draw();
+  if (scene) {
+    const told = countMotions("tilt", scene);
+    announce(() => `${told}. Gravity ${Math.hypot(...gravity).toFixed(1)} metres per second squared.`);
+  }
   count(performance.now() - begin);
 }

@@ -28,8 +28,12 @@ pub struct Description {
     pub periodic: [Option<[f64; 2]>; 3],
     /// Gravity.
     pub gravity: [f64; 3],
-    /// The TC rule's contact duration.
-    pub t_c: f64,
+    /// Whether contacts that last or crowd are integrated, or as in the papers.
+    pub enduring: Enduring,
+    /// How long a contact of hard grains lasts: the stand-in's, or t_c of the TC rule; NaN: as carom has it.
+    pub contact_time: f64,
+    /// Steps in a contact of a cluster; 0: as carom has it.
+    pub steps: u32,
     /// What grains do when they touch.
     pub rule: ChosenRule,
 }
@@ -42,7 +46,9 @@ impl Description {
             planes: heapless::Vec::new(),
             periodic: [None; 3],
             gravity: [0.0; 3],
-            t_c: 0.0,
+            enduring: Enduring::Integrated,
+            contact_time: f64::NAN,
+            steps: 0,
             rule,
         }
     }
@@ -54,10 +60,18 @@ impl Description {
         grains: &[[f64; GRAIN_FIELDS]],
     ) -> Result<World<'static, f64, D, ChosenRule>, Error> {
         let mut builder = World::builder(memory)
-            .enduring(Enduring::Paper)
+            .enduring(self.enduring)
             .gravity(first(&self.gravity))
-            .tc(self.t_c)
             .rule(self.rule);
+        if !self.contact_time.is_nan() {
+            builder = match self.enduring {
+                Enduring::Paper => builder.tc(self.contact_time),
+                _ => builder.contact_time(self.contact_time),
+            };
+        }
+        if self.steps > 0 {
+            builder = builder.steps_per_contact(self.steps);
+        }
         for wall in &self.planes {
             builder = builder.plane(plane(wall));
         }

@@ -12,7 +12,7 @@ mod rule;
 mod view_buffers;
 
 use carom::law::{LinearDashpot, Outside, Viscoelastic};
-use carom::{Error, Memory, World};
+use carom::{Enduring, Error, Memory, World};
 use core::fmt::Write;
 use description::{D, Description, GRAIN_FIELDS, MAX_GRAINS, first};
 use rule::{ChosenRule, Material};
@@ -119,10 +119,14 @@ extern "C" fn rule(material: u32, lasting: u32, outside: u32, a: f64, b: f64, c:
     DESCRIPTION.lock().rule = ChosenRule { material, lasting: lasting != 0, outside };
 }
 
-/// The TC rule's contact duration.
+/// Chooses the papers' mode (1) or the default one (0), how long a contact of hard grains lasts (NaN: as carom has
+/// it), and the steps in a contact of a cluster (0: as carom has it).
 #[unsafe(no_mangle)]
-extern "C" fn tc(t_c: f64) {
-    DESCRIPTION.lock().t_c = t_c;
+extern "C" fn contacts(paper: u32, time: f64, steps: u32) {
+    let mut description = DESCRIPTION.lock();
+    description.enduring = if paper != 0 { Enduring::Paper } else { Enduring::Integrated };
+    description.contact_time = time;
+    description.steps = steps;
 }
 
 /// Sets gravity, before the start or now.

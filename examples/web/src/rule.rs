@@ -47,6 +47,22 @@ impl Rule<f64> for ChosenRule {
         }
     }
 
+    fn force(&self, impact: &Impact<f64>, overlap: f64) -> Option<ContactForce<f64>> {
+        match self.material {
+            Material::Linear(law) if self.lasting => Some(law.force(impact, overlap)),
+            Material::Viscoelastic(law) if self.lasting => Some(law.force(impact, overlap)),
+            _ => None,
+        }
+    }
+
+    fn contact_time(&self, impact: &Impact<f64>, overlap: f64) -> Option<f64> {
+        match self.material {
+            Material::Linear(law) if self.lasting => Some(law.contact_time(impact, overlap)),
+            Material::Viscoelastic(law) if self.lasting => Some(law.contact_time(impact, overlap)),
+            _ => None,
+        }
+    }
+
     fn check(&self) -> Result<(), Error> {
         match self.material {
             Material::Hard(restitution) => HardSphere { restitution }.check(),
@@ -86,13 +102,5 @@ impl<L: ForceLaw<f64>> Rule<f64> for TableOrIntegrated<L> {
         let scales = self.law.scales(impact);
         let scaled = integrate::contact(L::LAW == Law::LinearDashpot, &impact.groups(&scales));
         Answer::exact(Response::Lasting(scales.outcome(&scaled)))
-    }
-
-    fn force(&self, impact: &Impact<f64>, overlap: f64) -> Option<ContactForce<f64>> {
-        Some(self.law.force(impact, overlap))
-    }
-
-    fn contact_time(&self, impact: &Impact<f64>, overlap: f64) -> Option<f64> {
-        Some(self.law.contact_time(impact, overlap))
     }
 }

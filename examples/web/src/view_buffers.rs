@@ -3,15 +3,15 @@
 use crate::description::{D, MAX_GRAINS};
 use crate::rule::{ChosenRule, INTEGRATED};
 use carom::World;
-use carom::world::Statistics;
+use carom::world::{Motion, Statistics};
 use core::sync::atomic::Ordering;
 
 /// The names of [`ViewBuffers::statistics`], in their order.
 pub const STATISTICS: &str = "collisions,planeCollisions,releases,rotationRefused,interrupted,deferred,\
 clamped,hardSphere,rests,takeOffs,withinTc,collapses,supportedCollisions,reordered,stale,cellCrossings,\
-rechecks,epochs,integrated";
+rechecks,epochs,joins,steps,crushed,integrated";
 /// How many there are.
-const COUNT: usize = 19;
+const COUNT: usize = 22;
 
 /// What JavaScript reads in place.
 pub struct ViewBuffers {
@@ -19,7 +19,7 @@ pub struct ViewBuffers {
     pub positions: [f64; D * MAX_GRAINS],
     /// `D` numbers for each grain.
     pub velocities: [f64; D * MAX_GRAINS],
-    /// For each grain 0: in flight, 1: in a lasting contact, 2: at rest.
+    /// For each grain 0: in flight, 1: in a contact of two, 2: at rest, 3: in a cluster.
     pub states: [u8; MAX_GRAINS],
     /// How often everything happened.
     pub statistics: [f64; COUNT],
@@ -49,11 +49,21 @@ impl ViewBuffers {
             let Some(grain) = view.grain(i) else { break };
             position.copy_from_slice(grain.position.as_slice());
             velocity.copy_from_slice(grain.velocity.as_slice());
-            *state = if view.is_at_rest(i) { 2 } else { u8::from(view.contact(i).is_some()) };
+            *state = view.motion(i).map_or(0, number);
         }
         self.statistics = numbers(world.statistics());
         let next = world.next_event_time().map_or(f64::INFINITY, |next| next.as_f64());
         self.clock = [world.now().as_f64(), next, view.kinetic_energy()];
+    }
+}
+
+/// See [`ViewBuffers::states`].
+fn number(motion: Motion) -> u8 {
+    match motion {
+        Motion::Contact => 1,
+        Motion::Rest => 2,
+        Motion::Cluster => 3,
+        _ => 0,
     }
 }
 
@@ -78,6 +88,9 @@ fn numbers(c: &Statistics) -> [f64; COUNT] {
         c.cell_crossings,
         c.rechecks,
         c.epochs,
+        c.joins,
+        c.steps,
+        c.crushed,
         integrated,
     ]
     .map(|count| count as f64)

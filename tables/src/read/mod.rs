@@ -11,6 +11,7 @@ pub(crate) mod groups;
 pub(crate) mod law;
 pub(crate) mod layout;
 pub(crate) mod real;
+mod square_root;
 pub(crate) mod stored;
 pub(crate) mod table;
 

@@ -1,5 +1,6 @@
 //! What must a number be able to do to read a table? Reads one value; writes one value.
 
+use super::square_root;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The operations that reading a table uses, and no more.
@@ -68,7 +69,7 @@ impl Real for f32 {
         f64::from(self)
     }
     fn sqrt(self) -> Self {
-        libm::sqrtf(self)
+        square_root::sqrtf(self)
     }
     fn cbrt(self) -> Self {
         cube_root(self)
@@ -101,7 +102,7 @@ impl Real for f64 {
         self
     }
     fn sqrt(self) -> Self {
-        libm::sqrt(self)
+        square_root::sqrt(self)
     }
     fn cbrt(self) -> Self {
         libm::cbrt(self)
