@@ -161,11 +161,7 @@ fn sampled<R: Rule<f64>>(world: &mut World<'_, f64, 1, R>, times: &[f64]) -> Res
     Ok(rows)
 }
 
-fn run<R: Rule<f64>>(
-    column: &Column,
-    rule: R,
-    how: (Surface<f64>, Variant),
-) -> Result<Outcome> {
+fn run<R: Rule<f64>>(column: &Column, rule: R, how: (Surface<f64>, Variant)) -> Result<Outcome> {
     let mut storage = HeapMemory::<f64, 1>::with_capacity(column.beads);
     let mut world = start(column, &mut storage, rule, how)?;
     for event in 0..LONGEST {

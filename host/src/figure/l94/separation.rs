@@ -116,7 +116,8 @@ fn notes(figure: &Figure) -> Result<Vec<Note>> {
     let [low, high] = every_ed()?;
     let shifted = shifted()?;
     let most = |all: Vec<f64>| all.into_iter().fold(0.0, f64::max);
-    let within = |who, whom| format!("within {:.1e} at every σ", most(differences(figure, who, whom)));
+    let within =
+        |who, whom| format!("within {:.1e} at every σ", most(differences(figure, who, whom)));
     let finer = finer(figure)?;
     let ours = |what, ours| Note::new(what, "not given", ours);
     Ok(vec![
@@ -180,4 +181,3 @@ fn shifted() -> Result<[f64; 2]> {
     };
     Ok([most([1e-3, 1e-2, 1e-1])?, most([10.0, 100.0, 1000.0])?])
 }
-
