@@ -9,10 +9,11 @@ use crate::scalar::{Scalar, Vector};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Release {
-    /// Both grains are released at once: angular momentum is kept.
+    /// Both grains are released at once: angular momentum is kept. MP13 names it as possible.
     #[default]
     Paired,
-    /// Only the one that is hit is released; its partner goes on until the contact's own end.
+    /// Only the one that is hit is released, as in MP13's own algorithm; its partner goes on until the contact's
+    /// own end, where other grains hit it as well.
     Independent,
 }
 

@@ -1,5 +1,7 @@
-//! Do the quick figures say what the papers, closed forms and outside data say? Makes them; reads tests/data/fig6-path.json.
+//! Do the quick figures say what the papers, closed forms and outside data say? Makes them; reads tests/data.
 
+use carom_host::figure::mp13::gas::{Reading, SoftGas};
+use carom_host::figure::rest::Heap;
 use carom_host::figure::{self, Made, Options};
 
 fn make(id: &str) -> Made {
@@ -67,4 +69,77 @@ fn l94_6a_hard_spheres_ride_as_one_bead() {
         let k = bead.x.iter().position(|x| (x - phase).abs() < 1e-9).unwrap();
         assert!((z - bead.y[k]).abs() < 1e-9, "at {phase}: {z} against {}", bead.y[k]);
     }
+}
+
+/// The default mode has MD's detachment effect, ED and eMD* have not.
+#[test]
+fn l94_2a_clusters_lose_what_md_loses() {
+    let made = make("l94-2a");
+    let apart = |who: &str, whom: &str| -> Vec<f64> {
+        let [a, b] = [who, whom].map(|name| &series(&made, name).y);
+        assert_eq!(a.len(), 13);
+        a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
+    };
+    let most = |all: Vec<f64>| all.into_iter().fold(0.0, f64::max);
+    assert!(most(apart("clusters, no pull", "MD, no pull")) < 1e-3);
+    assert!(most(apart("clusters", "MD")) < 3e-3);
+    assert!(apart("eMD*", "MD")[0] > 0.6);
+    // Outside data, made with pull; every second σ.
+    let text = include_str!("../../tests/data/luding-eps-eff-vs-sigma.csv");
+    let outside = text.lines().skip(1).map(|row| row.split(',').nth(5).unwrap().parse().unwrap());
+    for (k, wanted) in outside.enumerate() {
+        let wanted: f64 = wanted;
+        let got = series(&made, "clusters").y[2 * k];
+        assert!((got - wanted).abs() < 1e-3, "σ = 1e{}: {got} {wanted}", k as i32 - 3);
+    }
+}
+
+/// With the long contact time eMD*'s beads stay in each other, those of the default mode part again as MD's do.
+#[test]
+fn l94_5_no_column_of_the_default_mode_sinks() {
+    let made = make("l94-5");
+    let gaps = |method: &str| -> Vec<f64> {
+        let bead = |k: u32| &series(&made, &format!("{method}, t_c = 7e-4, bead {k}")).y;
+        bead(10).iter().zip(bead(1)).map(|(top, low)| (top - low) / 1e-3).collect()
+    };
+    let later = |all: &[f64]| all[all.len() / 5..].to_vec();
+    let mean = |all: &[f64]| later(all).iter().sum::<f64>() / later(all).len() as f64;
+    let least = |all: &[f64]| later(all).into_iter().fold(f64::INFINITY, f64::min);
+    let [clusters, md, star] = ["clusters", "MD", "eMD*"].map(gaps);
+    assert!(mean(&star) < -0.2 && later(&star).iter().all(|gap| *gap < 1e-3));
+    assert!(mean(&clusters) > 1.0 && mean(&md) > 1.0, "{} {}", mean(&clusters), mean(&md));
+    // Pressed no deeper than MD's in landing.
+    assert!(least(&clusters) > 1.5 * least(&md), "{} {}", least(&clusters), least(&md));
+}
+
+/// A small heap: the same as MD until it crowds, asleep when MD has next to no energy.
+#[test]
+fn rest_a_small_heap_settles_as_md_does() {
+    let heap = Heap { across: 4, rows: 4, seed: 3 };
+    let (ours, md) = (heap.by_clusters(400).unwrap(), heap.by_md(400, 50.0).unwrap());
+    // While two are in contact the engine keeps the velocity of their centre: some energy is missing meanwhile.
+    for k in 0..6 {
+        let ratio = ours.energies[k] / md.energies[k];
+        assert!((ratio - 1.0).abs() < 0.03, "at {k}: {ratio}");
+    }
+    let asleep = ours.asleep.expect("asleep within 4 s");
+    assert!(asleep < 200.0 * (5e-3_f64 / 9.81).sqrt(), "{asleep}");
+    let then = (asleep / 0.01).round() as usize;
+    assert!(md.energies[then] < 1e-3, "{}", md.energies[then]);
+    assert!(ours.energies[then..].iter().all(|energy| *energy == 0.0));
+    let heights = [ours.heights[400], md.heights[400]];
+    assert!((heights[0] / heights[1] - 1.0).abs() < 0.02, "{heights:?}");
+}
+
+/// MP13's exception (b) as printed happens more often than with both grains released; the default has neither.
+#[test]
+fn mp13_7_readings_of_exception_b() {
+    let gas = SoftGas { grains: 1_000, packing: 0.1, young: 1e8, dissipation: 0.0, seed: 1 };
+    let [printed, paired, clusters] =
+        Reading::ALL.map(|reading| gas.count(10_000, reading).unwrap().statistics);
+    let ratio = printed.interrupted as f64 / paired.interrupted as f64;
+    assert!(paired.interrupted > 300 && ratio > 1.1, "{ratio}: {paired:?}");
+    assert_eq!([printed.joins, paired.joins], [0, 0]);
+    assert_eq!([clusters.interrupted, clusters.rotation_refused], [0, 0]);
+    assert!(clusters.joins > paired.interrupted, "{clusters:?}");
 }

@@ -3,7 +3,8 @@
 use carom_host::figure::fit;
 use carom_host::figure::l94::column::Column;
 use carom_host::figure::l94::layer;
-use carom_host::figure::l94::loss::{self, every_ed, impact, separations, ten};
+use carom_host::figure::l94::loss::{self, impact};
+use carom_host::figure::l94::separation::{every_ed, separations, ten};
 use carom_host::figure::l94::table1::{ROWS, measured, theory};
 use carom_reference::ForceLaw;
 

@@ -1,7 +1,8 @@
 //! How high does a shaken column stand (L94 Fig. 7)? MD and ED against each other, Eq. (10), and an event loop of a page written for this.
 
 use carom_host::figure::fit;
-use carom_host::figure::l94::shaken::{self, BEADS, GRAVITY, MANY, STRONG, Shaken, mean_rise};
+use carom_host::figure::l94::height::{self, BEADS, MANY, STRONG, mean_rise};
+use carom_host::figure::l94::shaken::{GRAVITY, Shaken};
 use std::f64::consts::TAU;
 
 /// Points on a line above a plate: what hard rods are once their lengths are taken away. Shares
@@ -108,7 +109,7 @@ impl Points {
 /// As long as chaos allows, bead by bead: a rounding of 1e-16 grows to 1e-8 in some 30 collisions.
 #[test]
 fn the_engine_shakes_a_column_as_a_simple_event_loop_does() {
-    let column = shaken::column(5.0, 3);
+    let column = height::column(5.0, 3);
     let times: Vec<f64> = (1..=60).map(|k| 0.005 * f64::from(k)).collect();
     let (rows, statistics) = column.by_ed(&times).unwrap();
     let mut points = Points::start(&column);
@@ -128,7 +129,7 @@ fn the_engine_shakes_a_column_as_a_simple_event_loop_does() {
 fn a_shaken_column_stands_as_high_as_points_do() {
     let (agitation, periods) = (20.0, 6_000);
     let ed = mean_rise("ED", BEADS, agitation, periods).unwrap();
-    let usual = shaken::column(agitation, BEADS);
+    let usual = height::column(agitation, BEADS);
     let of_one = |k: usize| {
         let column = Shaken { gap: (1.05 + 0.1 * k as f64) * usual.gap, ..usual };
         let mut points = Points::start(&column);
@@ -139,7 +140,7 @@ fn a_shaken_column_stands_as_high_as_points_do() {
         fit::mean(&heights.skip(4 * 120).collect::<Vec<_>>())[0]
     };
     let own = fit::mean(&(0..10).map(of_one).collect::<Vec<_>>());
-    let theory = shaken::theory(agitation);
+    let theory = height::theory(agitation);
     println!("{:?} {:?}", ed.map(|h| h / theory), own.map(|h| h / theory));
     let error = ed[1].hypot(own[1]);
     assert!(error < 0.02 * theory, "{}", error / theory);
@@ -154,10 +155,10 @@ fn a_strongly_shaken_column() {
     let strong = [STRONG, 30.0, 40.0];
     let mut means = [[0.0; 2]; 2];
     for agitation in strong {
-        let theory = shaken::theory(agitation);
+        let theory = height::theory(agitation);
         let ratio = |method: &str, beads: usize| {
             let share = if method == "MD" { 2 } else { 1 };
-            let periods = share * shaken::periods(method, beads, agitation, true);
+            let periods = share * height::periods(method, beads, agitation, true);
             mean_rise(method, beads, agitation, periods).unwrap().map(|h| h / theory)
         };
         let (md, ed, many) = (ratio("MD", BEADS), ratio("ED", BEADS), ratio("ED", MANY));

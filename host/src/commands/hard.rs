@@ -38,7 +38,7 @@ struct Row {
     relative_difference: f64,
 }
 
-const HANSEN_GOOS: &str = "Hansen-Goos 2016, doi:10.1063/1.4947534";
+const HANSEN_GOOS: &str = "Hansen-Goos 2016 (J. Chem. Phys. 144, 164506)";
 const KOLAFA: &str = "Kolafa & Rottner 2006, doi:10.1080/00268970600967963";
 const LUE: &str = "Lue 2005, doi:10.1063/1.1834498";
 

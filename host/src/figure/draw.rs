@@ -211,6 +211,10 @@ pub fn beside(first: Scene, second: Scene) -> Scene {
             let path = path.transform(Transform::from_translate(shift as f32, 0.0))?;
             Some(Item::Shape { path, fill, stroke, clip: clip.map(moved) })
         }
+        Item::Letters { path, colour, at, upright, runs } => {
+            let path = path.transform(Transform::from_translate(shift as f32, 0.0))?;
+            Some(Item::Letters { path, colour, at: [at[0] + shift, at[1]], upright, runs })
+        }
         Item::Pixels { place, size, rgba } => {
             Some(Item::Pixels { place: moved(place), size, rgba })
         }

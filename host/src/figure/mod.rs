@@ -15,6 +15,7 @@ mod list;
 pub mod mp13;
 pub mod number;
 pub mod page;
+pub mod rest;
 mod style;
 mod table;
 

@@ -1,6 +1,6 @@
 //! How does a scene become a file? Reads a scene; writes SVG or PNG.
 
-use super::scene::{Colour, Item, Rect, Scene, Stroke};
+use super::scene::{Colour, Item, Rect, Run, Scene, Stroke};
 use crate::output;
 use anyhow::{Context, Result, bail};
 use base64::Engine;
@@ -43,13 +43,16 @@ pub fn ending(file: &std::path::Path) -> Result<Format> {
     }
 }
 
+/// Letters are as wide as in the first of these, whichever is at hand.
+const FONTS: &str = "Noto Sans, DejaVu Sans, Arial, Helvetica, sans-serif";
+
 /// The scene as a stand-alone SVG document.
 fn svg(scene: &Scene) -> Result<String> {
     let (w, h) = (scene.width, scene.height);
     let mut text = String::new();
     writeln!(
         text,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}pt" height="{h}pt" viewBox="0 0 {w} {h}">"#
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}pt" height="{h}pt" viewBox="0 0 {w} {h}" font-family="{FONTS}">"#
     )?;
     writeln!(text, r##"<rect width="{w}" height="{h}" fill="#ffffff"/>"##)?;
     let mut clips: Vec<Rect> = Vec::new();
@@ -76,6 +79,17 @@ fn write_item(text: &mut String, item: &Item, clips: &mut Vec<Rect>) -> Result<(
             write_path(text, path)?;
             text.push_str("\"/>\n");
         }
+        Item::Letters { colour, at: [x, y], upright, runs, .. } => {
+            let turn = if *upright { " rotate(-90)" } else { "" };
+            write!(
+                text,
+                r#"<text xml:space="preserve" transform="translate({x:.2} {y:.2}){turn}""#
+            )?;
+            write_fill(text, Some(*colour))?;
+            text.push('>');
+            runs.iter().try_for_each(|run| write_run(text, run))?;
+            text.push_str("</text>\n");
+        }
         Item::Pixels { place: r, size, rgba } => {
             let png = pixels(*size, rgba)?.encode_png()?;
             let data = base64::engine::general_purpose::STANDARD.encode(png);
@@ -86,6 +100,17 @@ fn write_item(text: &mut String, item: &Item, clips: &mut Vec<Rect>) -> Result<(
             )?;
         }
     }
+    Ok(())
+}
+
+fn write_run(text: &mut String, run: &Run) -> Result<()> {
+    let Run { text: letters, at: [x, y], width, size, italic } = run;
+    let slant = if *italic { r#" font-style="italic""# } else { "" };
+    let letters = letters.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    write!(
+        text,
+        r#"<tspan x="{x:.2}" y="{y:.2}" font-size="{size:.2}"{slant} textLength="{width:.2}" lengthAdjust="spacingAndGlyphs">{letters}</tspan>"#
+    )?;
     Ok(())
 }
 
@@ -217,6 +242,9 @@ fn draw(canvas: &mut Pixmap, item: &Item, clips: &mut Clip) -> Result<()> {
             if let Some(stroke) = stroke {
                 draw_line(canvas, path, stroke, mask);
             }
+        }
+        Item::Letters { path, colour, .. } => {
+            canvas.fill_path(path, &paint(*colour), FillRule::Winding, scale, None);
         }
         Item::Pixels { place, size, rgba } => {
             let (sx, sy) =

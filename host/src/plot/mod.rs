@@ -1,9 +1,9 @@
 //! How does a picture get drawn? Reads numbers; writes one scene, as SVG and as PNG.
 //!
 //! A figure draws into a [`Scene`] of outlines once; [`save`] writes that scene in the format
-//! that the file's name asks for. Letters are outlines too, taken from the font in `assets/`
-//! (Noto Sans, SIL Open Font License 1.1), so a picture looks the same everywhere and needs no
-//! font to be installed.
+//! that the file's name asks for. In PNG letters are outlines, taken from the font in `assets/`
+//! (Noto Sans, SIL Open Font License 1.1), so no font needs to be installed. In SVG they are text, which can be
+//! searched and edited, in places and widths that do not depend on which font is at hand.
 
 mod axes;
 mod file;
@@ -15,4 +15,4 @@ pub mod text;
 
 pub use axes::{Axis, Field, NORMAL, Panel, SMALL, colour_bar};
 pub use file::{Format, ending, save};
-pub use scene::{Colour, Item, Rect, Scene, Stroke};
+pub use scene::{Colour, Item, Rect, Run, Scene, Stroke};

@@ -80,6 +80,21 @@ impl Stroke {
     }
 }
 
+/// Letters of one size and slant, beside each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// They.
+    pub text: String,
+    /// From the left end of the line of text, along it and below it.
+    pub at: [f64; 2],
+    /// How long they are together.
+    pub width: f64,
+    /// Size in points.
+    pub size: f64,
+    /// Whether they lean.
+    pub italic: bool,
+}
+
 /// One thing drawn.
 #[derive(Clone, Debug)]
 pub enum Item {
@@ -93,6 +108,19 @@ pub enum Item {
         stroke: Option<Stroke>,
         /// Nothing is seen outside of this rectangle.
         clip: Option<Rect>,
+    },
+    /// A line of text: outlines for pixels, letters for SVG.
+    Letters {
+        /// The outlines of all letters.
+        path: Path,
+        /// Their colour.
+        colour: Colour,
+        /// The left end of the base line.
+        at: [f64; 2],
+        /// True if the text reads upwards.
+        upright: bool,
+        /// The same as text.
+        runs: Vec<Run>,
     },
     /// Pixels, stretched over a rectangle.
     Pixels {

@@ -1,9 +1,9 @@
-//! How do letters become outlines? Reads text with simple marks and the font in `assets/`; writes one shape to a scene.
+//! How do letters become outlines? Reads text with simple marks and the font in `assets/`; writes one item to a scene.
 //!
 //! Marks: `*x*` is italic (`∗` sets an asterisk), `_{…}` is lowered and `^{…}` raised, both smaller; italics work inside
 //! them too.
 
-use super::scene::{Colour, Scene};
+use super::scene::{Colour, Item, Run, Scene};
 use tiny_skia::{Path, PathBuilder, Transform};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
@@ -49,24 +49,27 @@ impl Style {
 impl Scene {
     /// Sets text; `at` is on its base line.
     pub fn text(&mut self, at: [f64; 2], text: &str, style: Style) {
-        let (path, width) = outline(text, style.size);
+        let Outlined { path, width, runs } = outline(text, style.size);
         let back = match style.align {
             Align::Left => 0.0,
             Align::Middle => -width / 2.0,
             Align::Right => -width,
         };
-        let turn = if style.upright { -90.0 } else { 0.0 };
-        let place = Transform::from_translate(back as f32, 0.0)
-            .post_rotate(turn)
-            .post_translate(at[0] as f32, at[1] as f32);
-        let path = path.and_then(|path| path.transform(place));
-        self.shape(path, Some(style.colour), None, None);
+        let Style { colour, upright, .. } = style;
+        let (turn, at) = match upright {
+            true => (-90.0, [at[0], at[1] - back]),
+            false => (0.0, [at[0] + back, at[1]]),
+        };
+        let place = Transform::from_rotate(turn).post_translate(at[0] as f32, at[1] as f32);
+        if let Some(path) = path.and_then(|path| path.transform(place)) {
+            self.items.push(Item::Letters { path, colour, at, upright, runs });
+        }
     }
 }
 
 /// Width of a text in points.
 pub fn width(text: &str, size: f64) -> f64 {
-    outline(text, size).1
+    outline(text, size).width
 }
 
 /// Where the next letter goes.
@@ -77,6 +80,14 @@ struct Pen {
     /// -1 lowered, 0 on the line, 1 raised.
     level: i8,
     last: Option<Set>,
+    runs: Vec<Run>,
+}
+
+/// A text, as outlines and as letters.
+struct Outlined {
+    path: Option<Path>,
+    width: f64,
+    runs: Vec<Run>,
 }
 
 /// A letter as it was set.
@@ -88,10 +99,10 @@ struct Set {
     scale: f64,
 }
 
-fn outline(text: &str, size: f64) -> (Option<Path>, f64) {
+fn outline(text: &str, size: f64) -> Outlined {
     let faces = [REGULAR, ITALIC].map(|font| Face::parse(font, 0).ok());
     let mut builder = PathBuilder::new();
-    let mut pen = Pen { x: 0.0, size, italic: false, level: 0, last: None };
+    let mut pen = Pen { x: 0.0, size, italic: false, level: 0, last: None, runs: Vec::new() };
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
         match letter {
@@ -108,17 +119,20 @@ fn outline(text: &str, size: f64) -> (Option<Path>, f64) {
             }
         }
     }
-    (builder.finish(), pen.x)
+    Outlined { path: builder.finish(), width: pen.x, runs: pen.runs }
 }
 
 fn set(builder: &mut PathBuilder, face: &Face<'_>, pen: &mut Pen, letter: char) {
     // The font has no minus sign; its en dash is one. An asterisk itself is a mark here.
-    let letter = match letter {
-        '−' => '–',
-        '∗' => '*',
-        other => other,
+    let (letter, written) = match letter {
+        '−' => ('–', '−'),
+        '∗' => ('*', '*'),
+        other => (other, other),
     };
     if let ('\u{300}'..='\u{36f}', Some(below)) = (letter, pen.last) {
+        if let Some(run) = pen.runs.last_mut() {
+            run.text.push(letter);
+        }
         return accent(builder, face, pen, below, letter);
     }
     let (size, shift) = match pen.level {
@@ -132,7 +146,26 @@ fn set(builder: &mut PathBuilder, face: &Face<'_>, pen: &mut Pen, letter: char) 
     let mut outline = Outline { builder, x: pen.x, y: shift, scale };
     let _ = face.outline_glyph(glyph, &mut outline);
     pen.last = Some(Set { glyph, x: pen.x, y: shift, scale });
-    pen.x += scale * f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
+    let advance = scale * f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
+    pen.write(written, [size, shift], advance);
+    pen.x += advance;
+}
+
+impl Pen {
+    /// Adds a letter to the last run, or to a new one if it differs.
+    fn write(&mut self, letter: char, [size, shift]: [f64; 2], advance: f64) {
+        let (italic, x) = (self.italic, self.x);
+        match self.runs.last_mut() {
+            Some(run) if run.italic == italic && run.size == size && run.at[1] == shift => {
+                run.text.push(letter);
+                run.width += advance;
+            }
+            _ => {
+                let text = letter.to_string();
+                self.runs.push(Run { text, at: [x, shift], width: advance, size, italic });
+            }
+        }
+    }
 }
 
 /// Sets an accent over the middle of the letter before it.

@@ -149,8 +149,8 @@ pub fn carnahan_starling(eta: f64) -> f64 {
 const SPHERES: [f64; 8] =
     [9.0, -19.0, 47.0 / 3.0, -2.635_232, -1.265_575, 0.041_212, 0.248_245, -0.096_495];
 
-/// Z of hard spheres at packing fraction η: Hansen-Goos (J. Chem. Phys. 144, 164506, 2016,
-/// doi:10.1063/1.4947534), Eq. (6) and Table I, a fit to simulations over the whole fluid.
+/// Z of hard spheres at packing fraction η: Hansen-Goos (J. Chem. Phys. 144, 164506, 2016),
+/// Eq. (6) and Table I, a fit to simulations over the whole fluid.
 ///
 /// ```
 /// use carom_host::figure::hard::pressure::hansen_goos;

@@ -56,7 +56,15 @@ impl Column {
     /// # Errors
     /// As [`Exact::next_event`], and for a column that does not come to an end.
     pub fn collide(&self, law: ForceLaw) -> Result<Outcome, ReferenceError> {
-        let mut run = self.start(law)?;
+        self.collide_until(law, End::Overlap)
+    }
+
+    /// The same with either end of a contact: with [`End::Force`] no dashpot pulls.
+    ///
+    /// # Errors
+    /// As [`Column::collide`].
+    pub fn collide_until(&self, law: ForceLaw, end: End) -> Result<Outcome, ReferenceError> {
+        let mut run = self.start(law, end)?;
         let mut stop = Stop::Limit;
         for attempt in 0..ATTEMPTS {
             stop = run.advance_until_quiet(self.until(&law, attempt))?;
@@ -95,11 +103,8 @@ impl Column {
     }
 
     /// The column before the impact, as an exact MD run.
-    ///
-    /// # Errors
-    /// As [`Exact::new`].
-    pub fn start(&self, law: ForceLaw) -> Result<Exact<1>, ReferenceError> {
-        Exact::new(self.system()?, law, End::Overlap)
+    fn start(&self, law: ForceLaw, end: End) -> Result<Exact<1>, ReferenceError> {
+        Exact::new(self.system()?, law, end)
     }
 
     /// Where the beads are at given times, by exact MD.
@@ -111,7 +116,7 @@ impl Column {
         law: ForceLaw,
         times: &[f64],
     ) -> Result<Vec<Vec<f64>>, ReferenceError> {
-        let mut run = self.start(law)?;
+        let mut run = self.start(law, End::Overlap)?;
         let at = |t: &f64| {
             run.advance_to(*t)?;
             Ok((0..self.beads).map(|i| run.position(i)[0]).collect())

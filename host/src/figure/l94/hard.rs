@@ -1,4 +1,4 @@
-//! What becomes of the same column event by event? Reads a column; writes velocities after the impact, by ED and by eMD*.
+//! What becomes of the same column event by event? Reads a column; writes velocities after the impact, by ED, by eMD* and with clusters.
 
 use super::column::{Column, Outcome};
 use crate::integrated::Integrated;
@@ -19,6 +19,9 @@ const LONGEST: u64 = 20_000_000;
 /// The number of events is looked at so often, but no more than 64 times between two samples.
 const CHECKS: usize = 16_384;
 
+/// Steps a contact, if nothing else is said.
+pub const DEFAULT_STEPS: u32 = 32;
+
 /// How contacts are dealt with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variant {
@@ -26,6 +29,39 @@ pub enum Variant {
     Instant,
     /// Contacts that last as long as the force law says (MP13), until the overlap vanishes.
     Lasting,
+    /// The engine's default: the same, but contacts that crowd are integrated.
+    Clusters {
+        /// How a contact of two ends. In a crowd no dashpot pulls, whatever this says.
+        end: End,
+        /// Steps a contact; 32 is the default.
+        steps: u32,
+    },
+}
+
+impl Variant {
+    /// The engine's default, its contacts of two as those of [`Variant::Lasting`].
+    pub const CLUSTERS: Self = Self::Clusters { end: End::Overlap, steps: DEFAULT_STEPS };
+
+    const fn mode(self) -> Enduring {
+        match self {
+            Self::Instant | Self::Lasting => Enduring::Paper,
+            Self::Clusters { .. } => Enduring::Integrated,
+        }
+    }
+
+    const fn steps(self) -> u32 {
+        match self {
+            Self::Clusters { steps, .. } => steps,
+            _ => DEFAULT_STEPS,
+        }
+    }
+
+    const fn end(self) -> End {
+        match self {
+            Self::Clusters { end, .. } => end,
+            _ => End::Overlap,
+        }
+    }
 }
 
 /// Spring and dashpot of a [`ForceLaw::PowerLaw`] with β = γ = 0, for beads of mass 1.
@@ -56,12 +92,10 @@ pub fn restitution(law: &LinearDashpot<f64>) -> [f64; 2] {
 pub fn collide(column: &Column, law: &ForceLaw, variant: Variant) -> Result<Outcome> {
     let law = dashpot(law)?;
     let [pair, wall] = restitution(&law);
+    let surfaces = [Surface::Hard(wall), Surface::Rule];
     match variant {
-        Variant::Instant => run(column, HardSphere { restitution: pair }, Surface::Hard(wall)),
-        Variant::Lasting => {
-            let rule = Integrated::new(law).ending(End::Overlap);
-            run(column, rule, Surface::Rule)
-        }
+        Variant::Instant => run(column, HardSphere { restitution: pair }, (surfaces[0], variant)),
+        _ => run(column, Integrated::new(law).ending(variant.end()), (surfaces[1], variant)),
     }
 }
 
@@ -81,11 +115,12 @@ pub fn heights(
     match variant {
         Variant::Instant => {
             let rule = HardSphere { restitution: pair };
-            sampled(&mut start(column, &mut storage, rule, Surface::Hard(wall))?, times)
+            let how = (Surface::Hard(wall), variant);
+            sampled(&mut start(column, &mut storage, rule, how)?, times)
         }
-        Variant::Lasting => {
-            let rule = Integrated::new(law).ending(End::Overlap);
-            sampled(&mut start(column, &mut storage, rule, Surface::Rule)?, times)
+        _ => {
+            let rule = Integrated::new(law).ending(variant.end());
+            sampled(&mut start(column, &mut storage, rule, (Surface::Rule, variant))?, times)
         }
     }
 }
@@ -126,9 +161,9 @@ fn sampled<R: Rule<f64>>(world: &mut World<'_, f64, 1, R>, times: &[f64]) -> Res
     Ok(rows)
 }
 
-fn run<R: Rule<f64>>(column: &Column, rule: R, surface: Surface<f64>) -> Result<Outcome> {
+fn run<R: Rule<f64>>(column: &Column, rule: R, how: (Surface<f64>, Variant)) -> Result<Outcome> {
     let mut storage = HeapMemory::<f64, 1>::with_capacity(column.beads);
-    let mut world = start(column, &mut storage, rule, surface)?;
+    let mut world = start(column, &mut storage, rule, how)?;
     for event in 0..LONGEST {
         let over = world.step()?.is_none();
         if over || event % 64 == 63 {
@@ -148,12 +183,13 @@ fn start<'m, R: Rule<f64>>(
     column: &Column,
     storage: &'m mut HeapMemory<f64, 1>,
     rule: R,
-    surface: Surface<f64>,
+    (surface, variant): (Surface<f64>, Variant),
 ) -> Result<World<'m, f64, 1, R>, Error> {
     let radius = 0.5 * column.diameter;
     let bead = |z: f64| Grain::with_mass(radius, 1.0).at([z]).moving([-column.speed]);
     World::builder(storage)
-        .enduring(Enduring::Paper)
+        .enduring(variant.mode())
+        .steps_per_contact(variant.steps())
         .plane(Plane::new([1.0], 0.0, surface))
         .rule(rule)
         .grains(column.heights().into_iter().map(bead))?

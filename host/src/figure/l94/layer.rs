@@ -2,6 +2,7 @@
 
 use super::column::Column;
 use super::loss::{self, STEPS};
+use super::separation;
 use crate::figure::data::{Figure, Made, Note, Options, Series};
 use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::figure::fit;
@@ -197,7 +198,7 @@ pub fn make_a(options: &Options) -> Result<Made> {
     }
     let mut column = Series::new("MD in 1D, N = 10").param("method", "MD").param("dimension", 1.0);
     for sigma in &sigmas {
-        column.push(*sigma, loss::ten("MD", *sigma, 0.2, None)?);
+        column.push(*sigma, separation::ten("MD", *sigma, 0.2, None)?);
     }
     let figure = figure.with(column);
     let style = PlotStyle::new("A layer of 130 grains at a wall, ε = 0.9 (L94 Fig. 4a)")

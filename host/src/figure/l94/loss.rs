@@ -1,4 +1,4 @@
-//! How much energy does a column lose at a wall? Reads ε, N, gaps and force laws; writes L94 Figs. 2a, 2b, 2c and 3, by MD, ED and eMD*.
+//! How much energy does a column lose at a wall? Reads ε, N, gaps and force laws; writes L94 Figs. 2b, 2c and 3, by MD, ED and eMD*.
 
 use super::column::{Column, Outcome};
 use super::hard::{self, Variant};
@@ -22,12 +22,7 @@ const LONGEST_EXACT: usize = 20;
 /// Steps per contact for those: ε_eff is then within 1e-5 of exact MD.
 pub const STEPS: f64 = 200.0;
 
-/// The abscissae of Fig. 2a, half a decade apart.
-pub fn separations() -> impl Iterator<Item = f64> {
-    (-6..=6).map(|k| libm::pow(10.0, 0.5 * f64::from(k)))
-}
-
-/// One column by one method: "ED", "eMD*", or else MD.
+/// One column by one method: "ED", "eMD*", "clusters", or else MD.
 ///
 /// # Errors
 /// An error of the method.
@@ -35,105 +30,11 @@ pub fn impact(method: &str, column: &Column, law: &ForceLaw, exact: bool) -> Res
     let outcome = match method {
         "ED" => hard::collide(column, law, Variant::Instant),
         "eMD*" => hard::collide(column, law, Variant::Lasting),
+        "clusters" => hard::collide(column, law, Variant::CLUSTERS),
         _ if exact || column.beads <= LONGEST_EXACT => Ok(column.collide(*law)?),
         _ => Ok(column.collide_in_steps(*law, STEPS)?),
     };
     outcome.with_context(|| format!("{method}, N = {}, s0 = {}", column.beads, column.gap))
-}
-
-/// Columns of Fig. 2a: N = 10, ε = 0.9; only σ = s_0/(v_0 t_c) matters.
-const TEN: usize = 10;
-const SPEED: f64 = 0.2;
-const CONTACT_TIME: f64 = 1e-5;
-
-/// ε_eff of N = 10, ε = 0.9 at a separation σ.
-///
-/// # Errors
-/// As [`impact`].
-pub fn ten(method: &str, sigma: f64, speed: f64, jitter: Option<u64>) -> Result<f64> {
-    let law = ForceLaw::spring_of(1.0, CONTACT_TIME, 0.9)?;
-    let gap = sigma * speed * CONTACT_TIME;
-    Ok(impact(method, &Column { jitter, ..Column::new(TEN, speed, gap) }, &law, true)?
-        .restitution())
-}
-
-/// L94 Fig. 2a: ε_eff against σ.
-///
-/// # Errors
-/// As [`impact`].
-pub fn make_a(_: &Options) -> Result<Made> {
-    let progress = Progress::new("l94-2a", METHODS.len() as u64);
-    let mut figure = Figure::new("l94-2a", ["σ = s0/(v0 t_c)", "ε_eff"]);
-    for method in METHODS {
-        let mut series = Series::new(method).param("method", method).param("eps", 0.9);
-        for sigma in separations() {
-            series.push(sigma, ten(method, sigma, SPEED, None)?);
-        }
-        figure = figure.with(series.param("N", TEN as f64));
-        progress.add(1);
-    }
-    let style = PlotStyle::new("A column of 10 beads at a wall, ε = 0.9 (L94 Fig. 2a)")
-        .labels("σ = *s*_{0}/(*v*_{0} *t*_{c})", "ε_{eff}")
-        .scales(Scale::LOG.from(5e-4, 2e3), Scale::LINEAR.from(0.0, 1.05))
-        .kinds(&[Kind::Both, Kind::Line, Kind::Dots])
-        .mark(Mark::Level(0.341, "paper: ED, 0.341".to_owned()));
-    let picture = draw::draw(&figure, &style);
-    let notes = notes_a(&figure)?;
-    Ok(Made { figure, picture, notes })
-}
-
-fn notes_a(figure: &Figure) -> Result<Vec<Note>> {
-    let of = |method: &str, k: usize| {
-        figure.find(&[("method", method.into())]).map_or(f64::NAN, |s| s.y[k])
-    };
-    let [low, high] = every_ed()?;
-    let shifted = shifted()?;
-    let star = (0..13).map(|k| (of("eMD*", k) - of("ED", k)).abs()).fold(0.0, f64::max);
-    Ok(vec![
-        Note::new("ED, every s0 and v0, with jitter", "0.341 ± 0.002", span(low, high)),
-        Note::new("MD, σ = 1000", "near ED", format!("{:.5}", of("MD", 12))),
-        Note::new("MD, σ = 0.001", "loss very small", format!("{:.5}", of("MD", 0))),
-        Note::new("MD drops", "0.1 < σ < 1", format!("{:.3} to {:.3}", of("MD", 4), of("MD", 6))),
-        Note::new("MD, gaps at random, σ ≤ 0.1", "same curve", format!("within {:.4}", shifted[0])),
-        Note::new("MD, gaps at random, σ ≥ 10", "same curve", format!("within {:.1e}", shifted[1])),
-        Note::new("eMD* against ED", "not given", format!("within {star:.1e} at every σ")),
-    ])
-}
-
-fn span(low: f64, high: f64) -> String {
-    format!("{low:.5} to {high:.5}")
-}
-
-/// The least and the largest ε_eff of ED, over the paper's gaps and speeds, regular and at random.
-///
-/// # Errors
-/// As [`impact`].
-pub fn every_ed() -> Result<[f64; 2]> {
-    let law = ForceLaw::spring_of(1.0, CONTACT_TIME, 0.9)?;
-    let [mut low, mut high] = [f64::INFINITY, 0.0_f64];
-    for gap in [0.0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
-        for speed in [0.01, 0.2, 20.0] {
-            for jitter in [None, Some(1), Some(2)] {
-                let column = Column { jitter, ..Column::new(TEN, speed, gap) };
-                let eps = impact("ED", &column, &law, true)?.restitution();
-                [low, high] = [low.min(eps), high.max(eps)];
-            }
-        }
-    }
-    Ok([low, high])
-}
-
-/// How far MD with gaps at random is from MD with equal ones, at small and at large σ.
-fn shifted() -> Result<[f64; 2]> {
-    let most = |sigmas: [f64; 3]| {
-        let one = |(sigma, seed)| -> Result<f64> {
-            Ok((ten("MD", sigma, SPEED, Some(seed))? - ten("MD", sigma, SPEED, None)?).abs())
-        };
-        let runs: Vec<_> = sigmas.into_iter().flat_map(|s| (0..4).map(move |k| (s, k))).collect();
-        let all: Result<Vec<f64>> = runs.into_par_iter().map(one).collect();
-        Ok::<f64, anyhow::Error>(all?.into_iter().fold(0.0, f64::max))
-    };
-    Ok([most([1e-3, 1e-2, 1e-1])?, most([10.0, 100.0, 1000.0])?])
 }
 
 /// One column of Figs. 2b and 2c: s_0 = 0, v_0 = 0.05 m/s, t_c = 2e-5 s.

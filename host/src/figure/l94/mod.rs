@@ -2,10 +2,12 @@
 
 pub mod column;
 pub mod hard;
+pub mod height;
 pub mod layer;
 pub mod loss;
 mod panels;
 pub mod paths;
 pub mod phase;
+pub mod separation;
 pub mod shaken;
 pub mod table1;

@@ -1,4 +1,4 @@
-//! How do ten beads move, at a wall and on a plate? Reads gaps and contact times; writes trajectories by MD, ED and eMD* (L94 Figs. 1, 5).
+//! How do ten beads move, at a wall and on a plate? Reads gaps and contact times; writes trajectories by MD, ED and eMD* (L94 Fig. 1), and with clusters (Fig. 5).
 
 use super::column::Column;
 use super::hard::{self, Variant};
@@ -119,14 +119,15 @@ pub fn on_a_plate(options: &Options) -> Result<Made> {
     let periods = if options.full { 40 } else { 10 };
     let sample = 1.0 / (FREQUENCY * SAMPLES_PER_PERIOD as f64);
     let times: Vec<f64> = (0..=periods * SAMPLES_PER_PERIOD).map(|k| sample * k as f64).collect();
-    let progress = Progress::new("l94-5", 6);
+    let progress = Progress::new("l94-5", 8);
     let mut figure = Figure::new("l94-5", ["t (s)", "z_i = h_i - (i - 1) d - d/2 (m)"]);
     let (mut diagrams, mut notes) = (Vec::new(), Vec::new());
-    for method in ["MD", "ED", "eMD*"] {
+    for method in ["MD", "ED", "eMD*", "clusters"] {
         for contact_time in CONTACT_TIMES {
             let (heights, events) = match method {
                 "ED" => column(contact_time).by_ed(&times)?,
                 "eMD*" => column(contact_time).by_star(&times)?,
+                "clusters" => column(contact_time).by_clusters(&times)?,
                 _ => (column(contact_time).by_md(&times, 50.0)?, Statistics::default()),
             };
             ensure!(!heights.is_empty(), "{method}: too many events before the first sample");
@@ -167,20 +168,24 @@ fn series(method: &str, t_c: f64, bead: usize, times: &[f64], heights: &[Vec<f64
 /// What the engine counted until it ended.
 fn note(method: &str, contact_time: f64, statistics: &Statistics, end: f64) -> Note {
     let Statistics { collisions, plane_collisions, rests, collapses, interrupted, .. } = statistics;
+    let further = match method {
+        "clusters" => format!("{} became clusters, {} steps", statistics.joins, statistics.steps),
+        _ => format!("{interrupted} interrupted, {rests} rests, {collapses} ends of a collapse"),
+    };
     let ours = format!(
-        "{collisions} collisions, {plane_collisions} with the plate, {interrupted} interrupted, \
-         {rests} rests, {collapses} ends of a collapse, until {end:.3} s"
+        "{collisions} collisions, {plane_collisions} with the plate, {further}, until {end:.3} s"
     );
     Note::new(format!("{method}, t_c = {contact_time:e} s: events"), "not given", ours)
 }
 
-/// How far the column is stretched: the gaps' sum, in diameters, on average and at most.
+/// How far the column is stretched: the gaps' sum, in diameters, on average, at least and at most.
 fn note_plate(method: &str, contact_time: f64, heights: &[Vec<f64>]) -> Note {
     let stretch =
         |row: &Vec<f64>| (row[SHAKEN_BEADS - 1] - row[0]) / DIAMETER - (SHAKEN_BEADS - 1) as f64;
     let later = &heights[heights.len() / 5..];
     let mean = later.iter().map(stretch).sum::<f64>() / later.len() as f64;
     let most = later.iter().map(stretch).fold(0.0, f64::max);
+    let least = later.iter().map(stretch).fold(0.0, f64::min);
     let said = match (method, contact_time > 1e-4) {
         ("MD", true) => "large separations all the time",
         ("MD", false) => "clustered and separated in turn",
@@ -188,5 +193,6 @@ fn note_plate(method: &str, contact_time: f64, heights: &[Vec<f64>]) -> Note {
         _ => "not given",
     };
     let what = format!("{method}, t_c = {contact_time:e} s: sum of gaps / d");
-    Note::new(what, said, format!("{} on average, {most:.2} at most", fixed(mean, 3)))
+    let ours = format!("{} on average, {} to {most:.2}", fixed(mean, 3), fixed(least, 2));
+    Note::new(what, said, ours)
 }

@@ -4,6 +4,8 @@ use crate::figure::data::{Figure, Made, Note, Options, Series};
 use crate::figure::draw::{self, Kind, Mark, PlotStyle, Scale};
 use crate::figure::fit::slope;
 use crate::figure::number::fixed;
+use crate::plot::text::{Align, Style};
+use crate::plot::{Colour, NORMAL, SMALL, Scene, Stroke};
 use anyhow::Result;
 use carom_reference::{End, ForceLaw, Grain, ReferenceError, collide};
 
@@ -94,9 +96,42 @@ pub fn make(_: &Options) -> Result<Made> {
         .scales(Scale::LINEAR.from(0.5, 3.5), Scale::LINEAR.from(-0.4, 1.1))
         .kinds(&[Kind::Dots])
         .mark(Mark::Points(wanted, "Eqs. (A1), (A2), (A4)".to_owned()));
-    let picture = draw::draw(&figure, &style);
+    let picture = draw::beside(table(&notes), draw::draw(&figure, &style));
     let figure = ROWS.into_iter().fold(figure, |figure, row| figure.with(by_theory(row)));
     Ok(Made { figure, picture, notes })
+}
+
+/// Left ends of the table's columns, and its right end.
+const COLUMNS: [f64; 6] = [24.0, 58.0, 92.0, 240.0, 366.0, 488.0];
+/// Height of a line of the table.
+const LINE: f64 = 24.0;
+
+/// The table as the paper sets it, with two columns more.
+fn table(notes: &[Note]) -> Scene {
+    let mut scene = Scene::new(COLUMNS[5] + 20.0, 354.0);
+    let letters = |size| Style::new(size, Colour::INK, Align::Left);
+    let title = "Exponents of the impact speed (L94 Table I)";
+    scene.text([COLUMNS[0], 20.0], title, letters(11.0));
+    let heads = ["β", "γ", "the paper prints", "(A1), (A2), (A4)", "MD"];
+    let mut y = 56.0;
+    let rule = |scene: &mut Scene, y: f64, width: f32| {
+        let ends = [[COLUMNS[0] - 6.0, y], [COLUMNS[5], y]];
+        scene.line(&ends, Stroke::solid(Colour::INK, width), None);
+    };
+    rule(&mut scene, y - 16.0, 1.2);
+    heads.iter().zip(COLUMNS).for_each(|(head, x)| scene.text([x, y], head, letters(SMALL)));
+    rule(&mut scene, y + 8.0, 0.6);
+    for ([beta, gamma], note) in ROWS.iter().zip(notes) {
+        y += LINE;
+        let cells = [&beta.to_string(), &gamma.to_string(), &note.paper, &note.theory, &note.ours];
+        for (cell, x) in cells.into_iter().zip(COLUMNS) {
+            scene.text([x, y], &cell.replace('-', "−"), letters(SMALL));
+        }
+    }
+    rule(&mut scene, y + 10.0, 1.2);
+    let below = "Three exponents each: ν_{1} of *x*_{max}, ν_{2} of *t*_{c}, ν_{3} of 1 − ε.";
+    scene.text([COLUMNS[0], y + 32.0], below, letters(NORMAL));
+    scene
 }
 
 fn by_theory([beta, gamma]: [f64; 2]) -> Series {

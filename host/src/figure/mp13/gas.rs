@@ -9,7 +9,7 @@ use crate::tables::{Size, embedded};
 use anyhow::{Context, Result};
 use carom::HeapMemory;
 use carom::law::{Outside, Soft, Viscoelastic};
-use carom::{Enduring, Grain, Statistics, World};
+use carom::{Enduring, Grain, Release, Statistics, World};
 use carom_tables::read::Law;
 use rayon::prelude::*;
 use std::f64::consts::{PI, SQRT_2};
@@ -40,6 +40,39 @@ pub struct SoftGas {
     pub dissipation: f64,
     /// Of the velocities at the start.
     pub seed: u64,
+}
+
+/// What becomes of a contact that a third grain disturbs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// MP13's exceptions as printed: (b) releases only the grain that is hit.
+    Printed,
+    /// (b) releases both: what `Enduring::Paper` does unless told otherwise, as it keeps angular momentum.
+    Paired,
+    /// The engine's default: no exceptions; the contact is integrated with whatever else touches.
+    Clusters,
+}
+
+impl Reading {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Printed, Self::Paired, Self::Clusters];
+
+    /// As the figure calls it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Printed => "printed",
+            Self::Paired => "paired",
+            Self::Clusters => "clusters",
+        }
+    }
+
+    const fn mode(self) -> (Enduring, Release) {
+        match self {
+            Self::Printed => (Enduring::Paper, Release::Independent),
+            Self::Paired => (Enduring::Paper, Release::Paired),
+            Self::Clusters => (Enduring::Integrated, Release::Paired),
+        }
+    }
 }
 
 /// What was counted.
@@ -103,11 +136,13 @@ impl SoftGas {
     ///
     /// # Errors
     /// An error of the engine.
-    pub fn count(&self, collisions: u64) -> Result<Counted> {
+    pub fn count(&self, collisions: u64, reading: Reading) -> Result<Counted> {
+        let (mode, release) = reading.mode();
         let half = 0.5 * self.edge();
         let mut storage = HeapMemory::<f64, 3>::with_capacity(self.grains);
         let builder = World::builder(&mut storage)
-            .enduring(Enduring::Paper)
+            .enduring(mode)
+            .release(release)
             .periodic([[-half, half]; 3])
             .rule(self.rule());
         let mut world = builder.grains(self.start()?)?.start()?;
@@ -142,6 +177,20 @@ fn gases(scan: &str, dissipation: f64) -> Vec<(f64, SoftGas)> {
     }
 }
 
+/// What is counted, of which reading: (a) hardly depends on the reading.
+const CURVES: [(Reading, &str); 4] = [
+    (Reading::Printed, "a"),
+    (Reading::Printed, "b"),
+    (Reading::Paired, "b"),
+    (Reading::Clusters, "clustered"),
+];
+
+/// One gas, by all readings.
+struct Point {
+    x: f64,
+    counted: [Counted; 3],
+}
+
 /// Makes the figure: frequencies of both exceptions along both scans, elastic and dissipative.
 pub fn make(options: &Options) -> Result<Made> {
     let collisions = if options.full { 1_000_000 } else { 30_000 };
@@ -152,27 +201,28 @@ pub fn make(options: &Options) -> Result<Made> {
     let mut notes = Vec::new();
     for scan in SCANS {
         for dissipation in DISSIPATIONS {
-            let one = |(x, gas): &(f64, SoftGas)| {
-                let counted = gas.count(collisions);
+            let one = |(x, gas): &(f64, SoftGas)| -> Result<Point> {
+                let [a, b, c] = Reading::ALL.map(|reading| gas.count(collisions, reading));
                 progress.add(1);
-                counted.map(|counted| (*x, counted))
+                Ok(Point { x: *x, counted: [a?, b?, c?] })
             };
-            let counted: Vec<(f64, Counted)> =
+            let points: Vec<Point> =
                 gases(scan, dissipation).par_iter().map(one).collect::<Result<_>>()?;
-            for exception in ["a", "b"] {
-                figure = figure.with(series(scan, dissipation, exception, &counted));
+            for curve in CURVES {
+                figure = figure.with(series(scan, dissipation, curve, &points));
             }
-            notes.extend(counted.iter().map(|(x, counted)| note(scan, dissipation, *x, counted)));
+            notes.extend(points.iter().map(|point| note(scan, dissipation, point)));
         }
     }
     let picture = picture(&figure);
     Ok(Made { figure, picture, notes })
 }
 
-fn frequency(exception: &str, counted: &Counted) -> [f64; 2] {
-    counted.per_thousand(match exception {
+fn frequency(what: &str, counted: &Counted) -> [f64; 2] {
+    counted.per_thousand(match what {
         "a" => counted.statistics.rotation_refused,
-        _ => counted.statistics.interrupted,
+        "b" => counted.statistics.interrupted,
+        _ => counted.statistics.joins,
     })
 }
 
@@ -180,27 +230,41 @@ fn kind(dissipation: f64) -> &'static str {
     if dissipation == 0.0 { "elastic" } else { "dissipative" }
 }
 
-fn series(scan: &str, dissipation: f64, exception: &str, all: &[(f64, Counted)]) -> Series {
-    let mut series = Series::new(format!("({exception}) {}", kind(dissipation)))
+fn series(scan: &str, dissipation: f64, (reading, what): (Reading, &str), all: &[Point]) -> Series {
+    let name = match reading {
+        Reading::Clusters => "clustered (default)".to_owned(),
+        _ => format!("({what}) {}", reading.name()),
+    };
+    let mut series = Series::new(format!("{name}, {}", kind(dissipation)))
         .param("method", "eMD*")
+        .param("reading", reading.name())
         .param("against", scan)
-        .param("exception", exception)
+        .param("exception", what)
         .param("dissipation", dissipation);
-    for (x, counted) in all {
-        let [y, error] = frequency(exception, counted);
+    for Point { x, counted } in all {
+        let [y, error] = frequency(what, &counted[reading as usize]);
         series.push_with_error(*x, y, error);
     }
     series
 }
 
-fn note(scan: &str, dissipation: f64, x: f64, counted: &Counted) -> Note {
-    let Counted { statistics, thermal_velocity } = counted;
-    let [[a, da], [b, db]] = ["a", "b"].map(|exception| frequency(exception, counted));
+fn note(scan: &str, dissipation: f64, Point { x, counted }: &Point) -> Note {
+    let [printed, paired, clusters] = counted;
+    let shown = |what: &str, counted: &Counted| {
+        let [y, error] = frequency(what, counted);
+        format!("{y:.3} ± {error:.3}")
+    };
     let ours = format!(
-        "(a) {a:.3} ± {da:.3}, (b) {b:.3} ± {db:.3}; {} outside the table; {thermal_velocity:.2} m/s at the end",
-        statistics.hard_sphere
+        "printed: (a) {}, (b) {}; paired: (a) {}, (b) {}; clustered {}; {} outside the table; {:.2} m/s at the end",
+        shown("a", printed),
+        shown("b", printed),
+        shown("a", paired),
+        shown("b", paired),
+        shown("clustered", clusters),
+        paired.statistics.hard_sphere,
+        paired.thermal_velocity,
     );
-    let says = match dissipation == 0.0 && (scan == "young" || x <= 0.01) {
+    let says = match dissipation == 0.0 && (scan == "young" || *x <= 0.01) {
         true => "about 1 or less; none if hard or dilute",
         false => "not given",
     };
@@ -227,8 +291,8 @@ fn picture(figure: &Figure) -> Scene {
     draw::beside(left, right)
 }
 
-/// One colour an exception, paler with dissipation.
+/// One colour a curve, paler with dissipation.
 fn colours() -> Vec<Colour> {
-    let hues = [Colour::BLUE, Colour::EMD];
+    let hues = [Colour::BLUE, Colour::EMD, Colour::EMD_STAR, Colour::INK];
     [1.0, 0.4].into_iter().flat_map(|opacity| hues.map(|hue| hue.with_opacity(opacity))).collect()
 }
