@@ -27,6 +27,8 @@ pub struct Row {
     pub collisions_per_s: f64,
     /// All the memory that the world borrows, by grain.
     pub bytes_per_grain: f64,
+    /// Of all touches of two grains those by which they were clustered.
+    pub clustered: f64,
     /// Collisions that were timed.
     pub events: u64,
     /// User CPU time that they took (s).
@@ -83,14 +85,16 @@ fn run<const D: usize>(case: &Case, rule: impl Rule<f64>, effort: Effort) -> Res
     let builder = World::builder(&mut storage).periodic([[0.0, case.edge()]; D]).rule(rule);
     let mut world = builder.grains(grains::<D>(case))?.start()?;
     collide(&mut world, effort.equilibration)?;
-    let (from, begin) = (world.now(), user_seconds());
+    let (from, begin, before) = (world.now(), user_seconds(), *world.statistics());
     let events = timed(&mut world, effort.collisions)?;
     let seconds = user_seconds() - begin;
+    let joins = world.statistics().joins - before.joins;
     Ok(Row {
         case: case.name,
         n: case.count,
         collisions_per_s: events as f64 / seconds,
         bytes_per_grain,
+        clustered: joins as f64 / (events + joins).max(1) as f64,
         events,
         seconds,
         simulated: world.now().since(from),

@@ -69,7 +69,8 @@ fn the_json_has_the_six_fields() {
     let [case] = bench::named("small-32")[..] else { panic!() };
     let row = serde_json::to_value(part(&case, 1000)).unwrap();
     let fields: Vec<&String> = row.as_object().unwrap().keys().collect();
-    let mut wanted = ["case", "n", "collisions_per_s", "bytes_per_grain", "events", "seconds"];
+    let mut wanted =
+        ["case", "n", "collisions_per_s", "bytes_per_grain", "clustered", "events", "seconds"];
     wanted.sort_unstable();
     assert_eq!(fields, wanted);
 }

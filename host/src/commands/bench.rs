@@ -10,7 +10,7 @@ use std::io::Write;
 pub struct Options {
     /// Only this case, or those whose names begin so (hs3d, emdstar-10000); all if left out.
     case: Option<String>,
-    /// Print `[{"case", "n", "collisions_per_s", "bytes_per_grain", "events", "seconds"}]`.
+    /// Print `[{"case", "n", "collisions_per_s", "bytes_per_grain", "clustered", "events", "seconds"}]`.
     #[arg(long)]
     json: bool,
     /// Print the table in docs/guide/speed.md.
@@ -34,8 +34,8 @@ pub fn run(options: &Options) -> Result<()> {
     }
     writeln!(
         out,
-        "{:<20}{:>9}{:>14}{:>12}{:>16}  others (collisions/s)",
-        "case", "N", "collisions/s", "bytes/grain", "CPU s/sim. time"
+        "{:<20}{:>9}{:>14}{:>12}{:>11}{:>16}  others (collisions/s)",
+        "case", "N", "collisions/s", "bytes/grain", "clustered", "CPU s/sim. time"
     )?;
     for case in &cases {
         line(&mut out, case, &bench::measure(case)?)?;
@@ -69,7 +69,8 @@ fn chosen(name: Option<&str>) -> Result<Vec<Case>> {
 }
 
 fn line(out: &mut impl Write, case: &Case, row: &Row) -> Result<()> {
-    let Row { n, collisions_per_s, bytes_per_grain, seconds, simulated, .. } = *row;
+    let Row { n, collisions_per_s, bytes_per_grain, clustered, seconds, simulated, .. } = *row;
+    let clustered = format!("{:.2} %", 100.0 * clustered);
     let cost = seconds / simulated;
     // In the hard-sphere cases the unit of time is arbitrary.
     let cost = match case.contact {
@@ -84,6 +85,6 @@ fn line(out: &mut impl Write, case: &Case, row: &Row) -> Result<()> {
     let (name, others) = (case.name, others.join(", "));
     Ok(writeln!(
         out,
-        "{name:<20}{n:>9}{collisions_per_s:>14.0}{bytes_per_grain:>12.0}{cost:>16}  {others}"
+        "{name:<20}{n:>9}{collisions_per_s:>14.0}{bytes_per_grain:>12.0}{clustered:>11}{cost:>16}  {others}"
     )?)
 }
