@@ -1,5 +1,10 @@
 //! Do the quick figures say what the papers, closed forms and outside data say? Makes them; reads tests/data.
 
+use carom::law::HardSphere;
+use carom_host::figure::gases::direct::Direct;
+use carom_host::figure::gases::mixture::{Mixture, PARTS};
+use carom_host::figure::gases::{cooling, free_time, theory::Theory};
+use carom_host::figure::hard::Plan;
 use carom_host::figure::mp13::gas::{Reading, SoftGas};
 use carom_host::figure::rest::Heap;
 use carom_host::figure::{self, Made, Options};
@@ -142,4 +147,48 @@ fn mp13_7_readings_of_exception_b() {
     assert_eq!([printed.joins, paired.joins], [0, 0]);
     assert_eq!([clusters.interrupted, clusters.rotation_refused], [0, 0]);
     assert!(clusters.joins > paired.interrupted, "{clusters:?}");
+}
+
+/// T ~ t^(−5/3) for viscoelastic grains and t^(−2) for constant ε, over two of the figure's six powers of ten.
+#[test]
+fn cooling_slopes_of_a_small_gas() {
+    let gas = SoftGas { grains: 500, ..cooling::GAS };
+    let (theory, times) = (Theory::new(&gas), cooling::times(5));
+    let soft = cooling::run(&gas, gas.rule(), theory.unit(), &times).unwrap().temperatures;
+    let hard = HardSphere { restitution: 0.9 };
+    let hard = cooling::run(&gas, hard, theory.unit(), &times).unwrap().temperatures;
+    let slope = |all: &[f64]| cooling::exponent(&times, all, [1e2, 1e4]);
+    assert!((slope(&soft) + 5.0 / 3.0).abs() < 0.05, "{}", slope(&soft));
+    assert!((slope(&hard) + 2.0).abs() < 0.05, "{}", slope(&hard));
+    for (found, expected) in [(soft, theory.temperatures(&times)), (hard, theory.haff(0.9, &times))]
+    {
+        let last = times.len() - 1;
+        assert!((found[last] / expected[last] - 1.0).abs() < 0.1, "{}", found[last]);
+    }
+}
+
+/// Garzó and Dufty's two temperatures, and those of Enskog's equation where that theory is 2 % off.
+#[test]
+fn mixture_temperatures_of_small_gases() {
+    let ours = |restitution| {
+        let log =
+            |seed| Mixture { grains: 256, restitution, seed }.ratio([40, 120, 2]).unwrap().ln();
+        ((1..=24).map(log).sum::<f64>() / 24.0).exp()
+    };
+    let found = ours(0.95);
+    assert!((found / PARTS.ratio(0.95) - 1.0).abs() < 0.02, "{found}");
+    let (found, enskog) =
+        (ours(0.8), Direct { parts: PARTS, restitution: 0.8, each: 2_000, seed: 1 });
+    let enskog = enskog.ratio([60, 300]);
+    assert!((enskog / PARTS.ratio(0.8) - 1.0).abs() < 0.03, "{enskog}");
+    assert!((found / enskog - 1.0).abs() < 0.02, "{found} against {enskog}");
+}
+
+/// The value and the tolerance of DynamO's test.
+#[test]
+fn mean_free_time_of_an_elastic_gas() {
+    let plan = Plan { equilibrate: 50, block: 50, blocks: 10 };
+    let [density, expected] = free_time::KNOWN;
+    let found = free_time::free_time(1_372, density, plan).unwrap().value;
+    assert!((found / expected - 1.0).abs() < 0.01, "{found}");
 }

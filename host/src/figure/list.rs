@@ -2,7 +2,7 @@
 
 use super::data::{Entry, Figure, Made, Note, Series, Value};
 use super::number::significant;
-use super::{bsfp14, l94, mp13, rest};
+use super::{bsfp14, gases, l94, mp13, rest};
 use anyhow::{Result, bail};
 use std::io::Write;
 
@@ -99,12 +99,25 @@ const MP13: &[Entry] = &[
     ),
 ];
 
-/// Of no paper: what the engine's default does.
-const OURS: &[Entry] = &[entry!(
-    "rest",
-    "a hundred soft disks fall into a box and come to rest, against MD",
-    rest::make
-)];
+/// Of no figure of the papers: what the engine's default does, and what they leave as outlook.
+const OURS: &[Entry] = &[
+    entry!("rest", "a hundred soft disks fall into a box and come to rest, against MD", rest::make),
+    entry!(
+        "cooling",
+        "a gas of viscoelastic grains cools, T ~ t^(−5/3), beside one of constant ε",
+        gases::cooling::make
+    ),
+    entry!(
+        "mixture",
+        "the two temperatures of a mixture that cools, against Garzó and Dufty",
+        gases::mixture::make
+    ),
+    entry!(
+        "mean-free-time",
+        "mean free time of elastic hard spheres, against Enskog and Lue",
+        gases::free_time::make
+    ),
+];
 
 /// Points of a curve that are printed.
 const MAX_ROWS: usize = 40;

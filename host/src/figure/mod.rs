@@ -9,6 +9,7 @@ pub mod bsfp14;
 mod data;
 pub mod draw;
 pub mod fit;
+pub mod gases;
 pub mod hard;
 pub mod l94;
 mod list;
