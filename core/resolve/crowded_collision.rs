@@ -7,7 +7,7 @@ use super::accept_answer::ask;
 use super::context::Context;
 use super::effects::{EventOutcome, Incident};
 use super::impact_frame::ImpactFrame;
-use super::{broken_contact, contact_begin, plane_collision};
+use super::{broken_contact, contact_begin, make_room, plane_collision};
 use crate::cluster::{Course, MAX_COLLISIONS, Party, is_crowded};
 use crate::error::Error;
 use crate::law::{Outcome, Response, Rule};
@@ -29,20 +29,48 @@ pub(super) fn touch<S: Scalar, const D: usize>(
     (i, partner): (usize, Partner),
 ) -> Result<EventOutcome<S>, Error> {
     let other = partner.as_grain();
-    let mut broken = false;
-    for x in [Some(i), other].into_iter().flatten() {
-        if context.particles.body(x).is_some_and(Body::in_contact) {
-            broken_contact::cluster(context, rule, x);
-            broken = true;
-        }
-    }
-    if broken {
+    let partners = [Some(i), other].map(|x| broken_off(context, rule, x));
+    if partners.iter().any(Option::is_some) {
+        make_room(context, rule, ([Some(i), other], partners));
         return Ok(join(context, [Some(i), other]));
     }
     match (other, partner.as_plane()) {
         (Some(k), _) => touch_grain(context, rule, if i < k { [i, k] } else { [k, i] }),
         (None, Some(p)) => touch_plane(context, rule, (i, p)),
         (None, None) => Ok(EventOutcome::Unchanged),
+    }
+}
+
+/// The contact of its own that a grain is in is broken off; returns with whom it was.
+fn broken_off<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    grain: Option<usize>,
+) -> Option<Partner> {
+    let body = context.particles.body(grain?).filter(|body| body.in_contact())?;
+    let partner = body.partner;
+    broken_contact::cluster(context, rule, grain?);
+    Some(partner)
+}
+
+/// Those whose contacts were broken off are where they really are: into whom that put them gains nothing by it.
+fn make_room<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    (two, partners): ([Option<usize>; 2], [Option<Partner>; 2]),
+) {
+    let grains =
+        |x: Option<usize>, partner: Option<Partner>| [x, partner.and_then(Partner::as_grain)];
+    let ([first, second], [with_first, with_second]) = (two, partners);
+    let [first, second] = [grains(first, with_first), grains(second, with_second)];
+    // Who comes gives way rather than who was in contact.
+    let ordered = if with_first.is_none() { [second, first] } else { [first, second] };
+    make_room::between(context, rule, ordered);
+    for (x, partner) in two.into_iter().zip(partners) {
+        let (Some(x), Some(partner)) = (x, partner) else { continue };
+        for grain in [Some(x), partner.as_grain()].into_iter().flatten() {
+            make_room::at_planes(context, rule, (grain, partner));
+        }
     }
 }
 

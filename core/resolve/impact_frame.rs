@@ -13,7 +13,7 @@ pub(crate) struct ImpactFrame<S: Scalar, const D: usize> {
     /// Unit vector of the tangential motion; zero if there is none.
     e_t: Vector<S, D>,
     /// Distance of the centres.
-    distance: S,
+    pub(super) distance: S,
     /// ṙ: negative.
     pub radial: S,
     /// |r φ̇|.

@@ -13,6 +13,7 @@ mod grain_collision;
 mod gravity_change;
 mod impact_frame;
 mod instantaneous_collision;
+mod make_room;
 mod parameters;
 mod plane_collision;
 mod rest;

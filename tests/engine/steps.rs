@@ -134,3 +134,49 @@ fn a_contact_time_that_lets_grains_sink_in_is_refused_with_both_numbers() {
         assert_eq!(field, "contact time");
     }
 }
+
+/// A light and fast grain hits a pair in the middle of a deep contact: it comes from too far away for the pair to
+/// have expected it. In whatever direction and whenever it comes, all energy is there when all fly again.
+#[test]
+fn who_breaks_off_a_contact_gains_nothing() {
+    let law = LinearDashpot { stiffness: 1e4, damping: 0.0 };
+    // The contact of the two lasts π √(m/2k).
+    let contact = std::f64::consts::PI * (0.5_f64 / 1e4).sqrt();
+    let (mut worst, mut broken) = (0.0_f64, 0);
+    for radius in [0.15, 0.5] {
+        for speed in [20.0, 60.0] {
+            for k in 0..160 {
+                let (angle, part) =
+                    (f64::from(k % 16) * 0.4 + 0.01, f64::from(k / 16) * 0.1 + 0.03);
+                let far = 1.5 + radius + (0.2 + part * contact) * speed;
+                let direction = [angle.cos(), angle.sin()];
+                let mut memory = Memory::<f64, 2, 3>::new();
+                let mut world = World::builder(&mut memory)
+                    .rule(Soft::linear_dashpot(law, Outside::HardSphere))
+                    .grains([
+                        Grain::with_mass(1.0, 1.0).at([1.6, 0.0]).moving([-3.0, 0.1]),
+                        Grain::with_mass(1.0, 1.0).at([-1.6, 0.0]).moving([3.0, -0.1]),
+                        Grain::with_mass(radius, 0.02)
+                            .at(direction.map(|d| d * far))
+                            .moving(direction.map(|d| -d * speed)),
+                    ])
+                    .unwrap()
+                    .start()
+                    .unwrap();
+                let energy = |world: &World<'_, f64, 2, _>| {
+                    let of = |g: Grain<f64, 2>| {
+                        0.5 * g.mass * g.velocity.iter().map(|v| v * v).sum::<f64>()
+                    };
+                    (0..3).filter_map(|i| world.grain(i)).map(of).sum::<f64>()
+                };
+                let start = energy(&world);
+                world.advance_to(2.0).unwrap();
+                broken += i32::from(world.statistics().joins > 0);
+                assert!((0..3).all(|i| world.view().motion(i) == Some(Motion::Flight)));
+                let change = energy(&world) / start - 1.0;
+                worst = worst.max(change.abs());
+            }
+        }
+    }
+    assert!(broken > 100 && worst < 2e-3, "{broken} {worst:e}");
+}
