@@ -18,13 +18,16 @@ pub(crate) struct Clusters<S> {
     pub step: S,
     /// None of them is faster: after a step, and when one joins or is hit.
     pub speed: S,
+    /// How long steps have been telescoped: a way is the difference of two, both from this origin, rounded.
+    pub phase: S,
 }
 
 impl<S: Scalar> Clusters<S> {
     /// Nobody.
     pub fn none() -> Self {
         let zero = S::zero();
-        Self { first: Partner::LAST_CLUSTERED, count: 0, time: zero, step: zero, speed: zero }
+        let first = Partner::LAST_CLUSTERED;
+        Self { first, count: 0, time: zero, step: zero, speed: zero, phase: zero }
     }
 
     /// When the next step ends; never without clusters.

@@ -172,6 +172,13 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
         (x + self.lattice) - self.lattice
     }
 
+    /// A step on the lattice of the places that a position has, and on that of the periodic axes.
+    #[must_use]
+    pub(crate) fn on_lattice_near(&self, position: &Vector<S, D>, x: Vector<S, D>) -> Vector<S, D> {
+        let lattice = self.lattice.zip_map(position, |own, at| own.max(S::lattice(at.abs())));
+        (x + lattice) - lattice
+    }
+
     /// The image inside the periodic box of a position near it.
     #[must_use]
     pub fn wrap(&self, position: Vector<S, D>) -> Vector<S, D> {

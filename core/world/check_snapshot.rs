@@ -71,10 +71,11 @@ fn check_event<S: Scalar>(i: usize, event: &ScheduledEvent<S>, now: S) -> Result
 
 /// The common time of clustered grains is not after the present, and their step ends after it.
 pub(super) fn check_clusters<S: Scalar>(clusters: &Clusters<S>, now: S) -> Result<(), Error> {
-    let Clusters { time, step, speed, count, .. } = *clusters;
+    let Clusters { time, step, speed, count, phase, .. } = *clusters;
     let ends = step >= S::zero() && step.is_finite() && time + step >= now;
     let is_one = count == 0 || time >= S::zero() && time <= now && ends;
-    if is_one && speed >= S::zero() && time.is_finite() {
+    let is_phase = phase >= S::zero() && phase.is_finite();
+    if is_one && is_phase && speed >= S::zero() && time.is_finite() {
         return Ok(());
     }
     let wanted = "not after the present, and not before it with the step";

@@ -34,3 +34,14 @@ fn a_seed_gives_the_same_box_again() {
         assert_eq!(one.1.deepest, other.1.deepest);
     }
 }
+
+/// Slow grains far from the origin, in numbers that are coarse there: steps that are shorter than a place of a
+/// position is long must not make them drift into each other (by half a radius and more).
+#[test]
+fn slow_grains_do_not_drift_into_each_other() {
+    for (number, seed, most) in [(Number::F32, 1296, 200), (Number::I16f16, 835, 30)] {
+        let (_, report) = heaps::run(seed, most, number);
+        assert!(!matches!(report.ended, Ended::Broken(_)), "{:?}", report.ended);
+        assert!(report.deepest < 0.02, "{number:?}: {}", report.deepest);
+    }
+}
