@@ -226,7 +226,7 @@ row wasm32 "$(compare wasm32 "$work/wasm32" node firmware/wasm/replay.mjs "$modu
   null null null null null null null
 
 say "building web ($SECONDS s)"
-web() { env -u CARGO_TARGET_DIR "web/$1" "${@:2}" >"$work/web" 2>&1 || { tail -40 "$work/web" >&2 && failed=1 && false; }; }
+web() { env -u CARGO_TARGET_DIR "web/$1" "${@:2}" >"$work/web" 2>&1 || { tail -200 "$work/web" >&2 && failed=1 && false; }; }
 built=true
 web build.sh || built=false
 say "waiting for the boards ($SECONDS s)"
