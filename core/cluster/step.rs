@@ -105,6 +105,7 @@ fn to_the_middle<S: Scalar, const D: usize>(
 /// which positions lie. Half a step may be shorter than a place of a position is long; rounded by itself it would
 /// add up to another speed, and slow grains would drift into each other. (On a lattice, too, so that it does
 /// not matter in which image a grain is kept.)
+#[inline(never)]
 fn way<S: Scalar, const D: usize>(
     body: &Body<S, D>,
     domain: &Domain<'_, S, D>,

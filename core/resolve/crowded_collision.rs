@@ -42,6 +42,7 @@ pub(super) fn touch<S: Scalar, const D: usize>(
 }
 
 /// The contact of its own that a grain is in is broken off; returns with whom it was.
+#[inline(never)]
 fn broken_off<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     rule: &impl Rule<S>,
@@ -54,6 +55,7 @@ fn broken_off<S: Scalar, const D: usize>(
 }
 
 /// Those whose contacts were broken off are where they really are: into whom that put them gains nothing by it.
+#[inline(never)]
 fn make_room<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     rule: &impl Rule<S>,

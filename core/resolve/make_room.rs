@@ -33,6 +33,7 @@ pub(super) fn between<S: Scalar, const D: usize>(
 }
 
 /// Two of them: if they pay, only that; else the first gives way, or if it has no room the second.
+#[inline(never)]
 fn part<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     rule: &impl Rule<S>,
@@ -96,6 +97,7 @@ fn together<S: Scalar, const D: usize>(
 
 /// By how much the speed at which two part changes if this overlap's energy is taken from it; none if it has
 /// less than that.
+#[inline(never)]
 fn paid<S: Scalar>(rule: &impl Rule<S>, impact: &Impact<S>, (overlap, speed): (S, S)) -> Option<S> {
     let [least, now] = [released_speed(rule, impact, overlap)?, speed.abs()];
     let left = (now >= least).then(|| (now - least).times(now + least).sqrt())?;
