@@ -148,6 +148,7 @@ impl<S: Scalar> Settings<S> {
             reduced_mass: mass * S::half(),
             normal_speed,
             tangential_speed: S::zero(),
+            acceleration: S::zero(),
             materials: [0; 2],
         }
     }

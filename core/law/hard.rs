@@ -48,7 +48,8 @@ impl<S: Scalar, R: Rule<S>> Rule<S> for Central<R> {
     }
 
     fn collide(&self, impact: &Impact<S>) -> Answer<S> {
-        let central = Impact { tangential_speed: S::zero(), ..*impact };
+        let zero = S::zero();
+        let central = Impact { tangential_speed: zero, acceleration: zero, ..*impact };
         let answer = self.0.collide(&central);
         let response = match answer.response {
             Response::Lasting(outcome) => Response::Instantaneous(outcome.restitution),

@@ -3,6 +3,7 @@
 pub mod embedded;
 mod enduring;
 mod hard;
+mod load;
 mod material;
 mod mode;
 mod rule;

@@ -21,6 +21,9 @@ pub struct Impact<S> {
     pub normal_speed: S,
     /// The speed across, l φ̇(0) ≥ 0.
     pub tangential_speed: S,
+    /// What gravity and a plate's motion add to the speed of approach per unit of time, all through the contact.
+    /// Against planes only: gravity moves two grains alike.
+    pub acceleration: S,
     /// The materials of the two; a plane is of the grain's own.
     pub materials: [u8; 2],
 }

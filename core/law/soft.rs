@@ -3,13 +3,14 @@
 #[cfg(feature = "standard")]
 use super::embedded::Standard;
 use super::embedded::TableSet;
+use super::load::loaded;
 use super::rule::{Answer, ContactForce, Impact, Response, Rule, Validity};
 use super::scales::{ForceLaw, Scales};
 #[cfg(feature = "standard")]
 use super::scales::{LinearDashpot, Viscoelastic};
 use crate::error::Error;
 use crate::scalar::Scalar;
-use carom_tables::read::{Groups, StoredNumber, Table};
+use carom_tables::read::{Groups, ScaledRestitution, StoredNumber, Table};
 
 /// What to do with an impact outside the table's domain. It is counted in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,11 +101,11 @@ where
         }
         let groups = impact.groups(&scales);
         if let Some(found) = self.table.read(&groups) {
-            return Answer::exact(Response::Lasting(scales.outcome(&found)));
+            return Answer::exact(self.lasting(impact, &scales, (&groups, found)));
         }
         match self.outside {
             Outside::Reject => refused(&groups),
-            Outside::Clamp => self.clamped(&groups, &scales),
+            Outside::Clamp => self.clamped(impact, &groups, &scales),
             Outside::HardSphere => self.central(&groups),
         }
     }
@@ -123,10 +124,34 @@ where
 }
 
 impl<L, C: StoredNumber> Soft<L, C> {
-    fn clamped<S: Scalar>(&self, groups: &Groups<S>, scales: &Scales<S>) -> Answer<S> {
+    /// What the table has found, under the impact's load.
+    #[inline]
+    fn lasting<S: Scalar>(
+        &self,
+        impact: &Impact<S>,
+        scales: &Scales<S>,
+        (groups, found): (&Groups<S>, ScaledRestitution<S>),
+    ) -> Response<S>
+    where
+        L: ForceLaw<S>,
+    {
+        let load = scales.load(impact, found.speed);
+        let end = self.table.data.coordinates.end;
+        Response::Lasting(scales.outcome(&loaded((L::LAW, end), groups, load, found)))
+    }
+
+    fn clamped<S: Scalar>(
+        &self,
+        impact: &Impact<S>,
+        groups: &Groups<S>,
+        scales: &Scales<S>,
+    ) -> Answer<S>
+    where
+        L: ForceLaw<S>,
+    {
         match self.table.read_nearest(groups) {
             Some(found) => Answer {
-                response: Response::Lasting(scales.outcome(&found)),
+                response: self.lasting(impact, scales, (groups, found)),
                 validity: Validity::Clamped,
             },
             None => refused(groups),

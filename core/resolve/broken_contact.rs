@@ -79,6 +79,7 @@ fn with_grain<S: Scalar, const D: usize>(
         reduced_mass: a.mass / (a.mass + b.mass) * b.mass,
         normal_speed: speed,
         tangential_speed: turned,
+        acceleration: S::zero(),
         materials: [a.material, b.material],
     };
     let mut relative = [apart, away];
@@ -120,7 +121,7 @@ fn integrate<S: Scalar, const D: usize>(
             Some(force) if overlap >= S::zero() => force.at_rate(-dot(&e, &v)),
             _ => S::zero(),
         };
-        [v, e * (force / impact.reduced_mass)]
+        [v, e * (force / impact.reduced_mass - impact.acceleration)]
     };
     let steps = (span / step).to_count().min(STEPS) + 1;
     let h = span / S::from_count(steps);

@@ -101,9 +101,9 @@ impl<S: Scalar, const D: usize> Turn<S, D> {
 /// the plane goes on. If it cannot be put there it stays where it is.
 ///
 /// So that gravity and the plane's own motion do not press the grain into the plane meanwhile, it
-/// starts with the normal velocity ż₀ + (z̈₀ − g_n) τ/2 and is at the same distance at the end. The
-/// momentum that they bring during a real contact is left out: an error of (z̈₀ − g_n) τ in the
-/// velocity. A grain too slow to outlast it comes to rest instead.
+/// starts with the normal velocity ż₀ + (z̈₀ − g_n) τ/2 and is at the same distance at the end. What
+/// they do to a real contact is in the outcome: the rule was asked with [`Impact::acceleration`](crate::law::Impact).
+/// A grain too slow to outlast it comes to rest instead.
 pub(super) fn begin_with_plane<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     (i, p): (usize, usize),

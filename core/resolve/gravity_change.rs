@@ -6,7 +6,8 @@ use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, dot};
 
 /// Gravity has changed during the contact of grain `i`: a third body may end it in time again, and one
-/// with a plane ends where it would have, or at once if gravity pulls the grain off visibly now.
+/// with a plane ends when, where and as fast as it would have, or at once if gravity pulls the grain off visibly
+/// now.
 pub(crate) fn continue_contact<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     i: usize,

@@ -44,6 +44,7 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
             reduced_mass: a.mass / (a.mass + b.mass) * b.mass,
             normal_speed: -self.radial,
             tangential_speed: self.tangential,
+            acceleration: S::zero(),
             materials: [a.material, b.material],
         }
     }

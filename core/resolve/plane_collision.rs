@@ -69,7 +69,7 @@ fn respond<S: Scalar, const D: usize>(
     }
 }
 
-/// Against a plane the other body is infinitely heavy and flat, and nothing turns.
+/// Against a plane the other body is infinitely heavy and flat, and nothing turns; `g` presses the two together.
 ///
 /// Under gravity a contact slower than the fall through 5e-7 R is given the duration of that speed:
 /// below it the weight, not the impact, decides how long a contact lasts.
@@ -81,6 +81,7 @@ pub(super) fn impact<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: 
         reduced_mass: body.mass,
         normal_speed: speed.max(floor),
         tangential_speed: S::zero(),
+        acceleration: g,
         materials: [body.material; 2],
     }
 }

@@ -15,7 +15,7 @@ use carom_tables::read::End;
 /// let rule = Integrated::new(LinearDashpot { stiffness: 2000.0, damping: 0.0 });
 /// let head_on = Impact {
 ///     contact_distance: 0.2, effective_radius: 0.05, reduced_mass: 2.0,
-///     normal_speed: 1.0, tangential_speed: 0.0, materials: [0, 0],
+///     normal_speed: 1.0, tangential_speed: 0.0, acceleration: 0.0, materials: [0, 0],
 /// };
 /// let Response::Lasting(outcome) = rule.collide(&head_on).response else { unreachable!() };
 /// // Half a period of the oscillator.
@@ -45,7 +45,11 @@ impl<L: ForceLaw<f64>> Rule<f64> for Integrated<L> {
     fn collide(&self, impact: &Impact<f64>) -> Answer<f64> {
         let scales = self.law.scales(impact);
         let groups = impact.groups(&scales);
-        let scaled = contact::integrate(L::LAW, self.end, &groups);
+        let mut scaled = contact::integrate(L::LAW, self.end, &groups);
+        let load = scales.load(impact, scaled.speed);
+        if load != 0.0 {
+            scaled = contact::integrate_loaded(L::LAW, self.end, &groups, load);
+        }
         Answer::exact(Response::Lasting(scales.outcome(&scaled)))
     }
 

@@ -44,7 +44,7 @@ fn bad_flags_and_files_are_refused_in_one_line() {
         (&["collide", "cases.csv", "--with", "guess"], "possible values: table, integrate"),
         (&["run", "no-such-file.toml"], "no-such-file.toml"),
         (&["compare"], "<SCENARIO>"),
-        (&["table", "--plot", "picture.gif"], ".png or .svg"),
+        (&["table", "--plot", "picture.gif"], ".png, .svg or .pdf"),
         (&["table", "--plot", "picture.png", "--figure", "7"], "7 is not in 3..=5"),
         (&["table", "--figure", "3"], "--plot"),
     ] {
@@ -227,4 +227,26 @@ fn an_interrupted_run_leaves_no_half_written_file() {
         assert!(left.iter().all(draft), "{signal}: {left:?}");
         assert!(may_leave_drafts || left.is_empty(), "{signal}: {left:?}");
     }
+}
+
+/// A page with the size of the picture, its content packed, its table of objects where the end says.
+#[test]
+fn a_figure_is_drawn_as_pdf() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("path.pdf");
+    let output = run(&["figure", "mp13-3", "--out", text(&file)]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let bytes = std::fs::read(&file).unwrap();
+    assert!(bytes.starts_with(b"%PDF-1."), "{:?}", &bytes[..8]);
+    let all = String::from_utf8_lossy(&bytes);
+    for part in ["/Type/Page", "/MediaBox", "/FlateDecode", "/XObject"] {
+        assert!(
+            all.replace("/ ", "/").contains(part) || all.replace(' ', "").contains(part),
+            "{part}"
+        );
+    }
+    let end = all.rsplit("startxref").next().unwrap();
+    let table: usize = end.split_whitespace().next().unwrap().parse().unwrap();
+    assert!(bytes[table..].starts_with(b"xref"), "no table of objects at {table}");
+    assert!(end.trim_end().ends_with("%%EOF"));
 }

@@ -28,7 +28,32 @@ const STEPS: usize = 20_000;
 /// # Units
 /// Scaled: time in `T`, length in `X`, angle in radians.
 pub fn integrate(law: Law, end: End, groups: &Groups<f64>) -> ScaledRestitution<f64> {
-    restitution(end, groups, |kappa| integrate_radial(law, end, kappa, groups.eta, groups.c_dis))
+    integrate_loaded(law, end, groups, 0.0)
+}
+
+/// The same where something else, as gravity in a contact with a plane, accelerates the two towards each other
+/// all the while: `load` is that acceleration times `T/v_n`.
+///
+/// A damped contact under a load that is too large never ends; it has `tau = inf` and `speed = 0`.
+///
+/// ```
+/// use carom_tables::contact::{integrate, integrate_loaded};
+/// use carom_tables::read::{End, Groups, Law};
+/// let head_on = Groups { sin: 0.0, cos: 1.0, eta: 0.01, c_dis: 0.0 };
+/// let pressed = integrate_loaded(Law::LinearDashpot, End::Force, &head_on, 0.1);
+/// // x = sin t + load (1 - cos t).
+/// assert!((pressed.tau - std::f64::consts::PI - 2.0 * 0.1_f64.atan()).abs() < 1e-12);
+/// assert!(pressed.tau > integrate(Law::LinearDashpot, End::Force, &head_on).tau);
+/// ```
+pub fn integrate_loaded(
+    law: Law,
+    end: End,
+    groups: &Groups<f64>,
+    load: f64,
+) -> ScaledRestitution<f64> {
+    let Groups { eta, c_dis, .. } = *groups;
+    let loaded = |kappa| Parameters { kappa, eta, c_dis, load };
+    restitution(end, groups, |kappa| run::<PRECISE_TERMS>(law, end, &loaded(kappa), 1e-17))
 }
 
 /// The restitution of one collision from the solution `radial` of its radial equation.
@@ -61,7 +86,7 @@ pub(crate) fn integrate_radial(
     eta: f64,
     c_dis: f64,
 ) -> RadialSolution {
-    run::<PRECISE_TERMS>(law, end, kappa, eta, c_dis, 1e-17)
+    run::<PRECISE_TERMS>(law, end, &unloaded(kappa, eta, c_dis), 1e-17)
 }
 
 /// [`integrate_radial`] to about 1e-10, five times faster: for the fit of tables in single precision.
@@ -72,19 +97,16 @@ pub(crate) fn integrate_radial_quickly(
     eta: f64,
     c_dis: f64,
 ) -> RadialSolution {
-    run::<QUICK_TERMS>(law, end, kappa, eta, c_dis, 1e-9)
+    run::<QUICK_TERMS>(law, end, &unloaded(kappa, eta, c_dis), 1e-9)
 }
 
-fn run<const N: usize>(
-    law: Law,
-    end: End,
-    kappa: f64,
-    eta: f64,
-    c_dis: f64,
-    tolerance: f64,
-) -> RadialSolution {
-    let c = Parameters { kappa, eta, c_dis };
-    if !(kappa + eta + c_dis).is_finite() {
+fn unloaded(kappa: f64, eta: f64, c_dis: f64) -> Parameters {
+    Parameters { kappa, eta, c_dis, load: 0.0 }
+}
+
+fn run<const N: usize>(law: Law, end: End, c: &Parameters, tolerance: f64) -> RadialSolution {
+    let kappa = c.kappa;
+    if !(kappa + c.eta + c.c_dis + c.load).is_finite() {
         return RadialSolution {
             tau: f64::NAN,
             speed: f64::NAN,
@@ -92,21 +114,21 @@ fn run<const N: usize>(
             passed_centre: false,
         };
     }
-    let mut path = Trajectory::<N>::at_first_touch(&c);
+    let mut path = Trajectory::<N>::at_first_touch(c);
     let mut passed_centre = false;
-    let scale = compression_scale(law, &c);
+    let scale = compression_scale(law, c);
     for _ in 0..STEPS {
-        expand(law, &mut path, &c);
-        let h = path.step(max_step(law, &path, &c), tolerance, scale, &c);
-        if let Some(h) = ending(law, end, &path, &c, h) {
+        expand(law, &mut path, c);
+        let h = path.step(max_step(law, &path, c), tolerance, scale, c);
+        if let Some(h) = ending(law, end, &path, c, h) {
             path.advance(h);
-            return outcome(law, end, &path, &c, passed_centre);
+            return outcome(law, end, &path, c, passed_centre);
         }
         path.advance(h);
-        renew(law, &mut path, &c);
+        renew(law, &mut path, c);
         if kappa == 0.0 && path.q[0] < 1e-17 && !passed_centre {
             passed_centre = true;
-            reflect(law, &mut path, &c);
+            reflect(law, &mut path, c);
         }
     }
     RadialSolution { tau: f64::INFINITY, speed: 0.0, rotation: path.rotation[0], passed_centre }
@@ -243,7 +265,7 @@ fn outcome<const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use crate::contact::{integrate_radial, integrate_radial_quickly, run};
+    use crate::contact::{integrate_radial, integrate_radial_quickly, run, unloaded};
     use crate::random::Rng;
     use crate::read::law::{End, Law};
     use crate::taylor::PRECISE_TERMS;
@@ -260,8 +282,9 @@ mod tests {
                 let eta = rng.log_uniform(1e-7, eta);
                 let kappa = kappa.max(1e-4 * eta);
                 let c_dis = rng.log_uniform(1e-4, most);
-                let a = run::<PRECISE_TERMS>(law, End::Force, kappa, eta, c_dis, 1e-17);
-                let b = run::<30>(law, End::Force, kappa, eta, c_dis, 1e-19);
+                let c = unloaded(kappa, eta, c_dis);
+                let a = run::<PRECISE_TERMS>(law, End::Force, &c, 1e-17);
+                let b = run::<30>(law, End::Force, &c, 1e-19);
                 let turn = libm::sqrt(kappa * eta);
                 let at = (law, kappa, eta, c_dis);
                 assert!((a.tau / b.tau - 1.0).abs() < 1e-12, "{at:?} {a:?} {b:?}");

@@ -28,12 +28,14 @@ pub(crate) fn value<const N: usize>(a: &[f64; N], h: f64) -> f64 {
     sum
 }
 
-/// The parameters of one contact: `kappa = tan^2(alpha) eta`, softness and damping.
+/// The parameters of one contact: `kappa = tan^2(alpha) eta`, softness, damping, and the acceleration that
+/// something else, as gravity, adds to the compression.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parameters {
     pub kappa: f64,
     pub eta: f64,
     pub c_dis: f64,
+    pub load: f64,
 }
 
 /// The unknowns of a contact as power series.
@@ -77,7 +79,9 @@ impl<const N: usize> Trajectory<N> {
         for n in 0..N - 1 {
             let next = 1.0 / (n + 1) as f64;
             let vq = product(&self.v, &self.q, n);
-            let force = -c.kappa * product(&self.u, &self.u, n) - product(&self.q, &self.p, n);
+            let force = c.load * self.q[n]
+                - c.kappa * product(&self.u, &self.u, n)
+                - product(&self.q, &self.p, n);
             self.u[n + 1] = c.eta * product(&self.v, &self.u, n) * next;
             self.q[n + 1] = -c.eta * vq * next;
             self.depth[n + 1] = vq * next;
@@ -95,7 +99,8 @@ impl<const N: usize> Trajectory<N> {
             let next = 1.0 / (n + 1) as f64;
             sq[n] = product(&self.depth, &self.q, n);
             su[n] = product(&self.depth, &self.u, n);
-            pull[n] = c.kappa * product(&self.u, &self.u, n) + product(&sq, &self.p, n);
+            pull[n] = c.kappa * product(&self.u, &self.u, n) + product(&sq, &self.p, n)
+                - c.load * self.q[n];
             let svq = product(&sq, &self.v, n);
             let force = -2.0 * product(&self.depth, &pull, n);
             self.u[n + 1] = 2.0 * c.eta * product(&su, &self.v, n) * next;

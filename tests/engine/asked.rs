@@ -56,6 +56,7 @@ fn a_wall_asks_for_the_impact_s_own_speed_down_to_a_fall_through_a_millionth_of_
         reduced_mass: 3.0,
         normal_speed: 1.0,
         tangential_speed: 0.0,
+        acceleration: 0.0,
         materials: [2, 2],
     };
     assert_eq!(on_the_floor(1.0, g), wall);
@@ -144,6 +145,7 @@ const IMPACT: Impact<f64> = Impact {
     reduced_mass: 2e-3,
     normal_speed: 0.5,
     tangential_speed: 0.0,
+    acceleration: 0.0,
     materials: [0, 0],
 };
 

@@ -28,6 +28,7 @@ const IMPACT: Impact<f64> = Impact {
     reduced_mass: 1.0 / 3.0,
     normal_speed: 1e-300,
     tangential_speed: 0.7,
+    acceleration: 0.0,
     materials: [1, 255],
 };
 

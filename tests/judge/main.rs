@@ -9,3 +9,4 @@ mod mp13;
 mod mp13_fig6;
 mod shaken;
 mod soak;
+mod wall;

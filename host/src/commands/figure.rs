@@ -20,7 +20,7 @@ pub struct FigureOptions {
     /// Print the data as CSV: series, x, y and standard error, a line for each point.
     #[arg(long, conflicts_with_all = ["json", "markdown"])]
     csv: bool,
-    /// Draw the figure into this file (.png or .svg).
+    /// Draw the figure into this file (.png, .svg or .pdf).
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// With the paper's statistics, however long it takes.
@@ -98,7 +98,7 @@ pub struct DivergenceOptions {
     /// Print the table in docs/guide/exactness.md: the collisions 1, 2, 5, 10, 20, 50 and so on.
     #[arg(long, conflicts_with = "json")]
     markdown: bool,
-    /// Draw them into this file (.png or .svg).
+    /// Draw them into this file (.png, .svg or .pdf).
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }

@@ -20,7 +20,7 @@ pub struct TableOptions {
     /// Print them as the table in docs/guide/tables.md.
     #[arg(long, conflicts_with = "json")]
     markdown: bool,
-    /// Draw MP13's Figs. 3, 4 and 5 as NAME-fig3.png and so on (.png or .svg).
+    /// Draw MP13's Figs. 3, 4 and 5 as NAME-fig3.png and so on (.png, .svg or .pdf).
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
     /// With --plot: draw only this figure, into FILE itself.

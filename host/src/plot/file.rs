@@ -1,5 +1,6 @@
-//! How does a scene become a file? Reads a scene; writes SVG or PNG.
+//! How does a scene become a file? Reads a scene; writes SVG, PNG or PDF.
 
+use super::pdf::pdf;
 use super::scene::{Colour, Item, Rect, Run, Scene, Stroke};
 use crate::output;
 use anyhow::{Context, Result, bail};
@@ -10,7 +11,7 @@ use tiny_skia::{
     PathSegment, Pixmap, PixmapPaint, StrokeDash, Transform,
 };
 
-/// Writes the picture; `.png` or `.svg` at the end of the name decides the format.
+/// Writes the picture; `.png`, `.svg` or `.pdf` at the end of the name decides the format.
 ///
 /// # Errors
 /// Another ending, or a file that cannot be written.
@@ -18,6 +19,7 @@ pub fn save(scene: &Scene, file: &std::path::Path) -> Result<()> {
     let bytes = match ending(file)? {
         Format::Png => png(scene)?,
         Format::Svg => svg(scene)?.into_bytes(),
+        Format::Pdf => pdf(scene)?,
     };
     output::write_file(file, &bytes)
 }
@@ -27,19 +29,22 @@ pub fn save(scene: &Scene, file: &std::path::Path) -> Result<()> {
 pub enum Format {
     /// Pixels.
     Png,
-    /// Outlines.
+    /// Outlines, letters as text.
     Svg,
+    /// Outlines, letters too.
+    Pdf,
 }
 
 /// The format that a file's name asks for.
 ///
 /// # Errors
-/// When the name ends neither in `.png` nor in `.svg`.
+/// When the name ends in none of `.png`, `.svg` and `.pdf`.
 pub fn ending(file: &std::path::Path) -> Result<Format> {
     match file.extension().and_then(|ending| ending.to_str()) {
         Some(ending) if ending.eq_ignore_ascii_case("png") => Ok(Format::Png),
         Some(ending) if ending.eq_ignore_ascii_case("svg") => Ok(Format::Svg),
-        _ => bail!("{}: a picture's name ends in .png or .svg", file.display()),
+        Some(ending) if ending.eq_ignore_ascii_case("pdf") => Ok(Format::Pdf),
+        _ => bail!("{}: a picture's name ends in .png, .svg or .pdf", file.display()),
     }
 }
 

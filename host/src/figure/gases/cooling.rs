@@ -212,6 +212,7 @@ fn losses(theory: &Theory, soft: &[Course]) -> Note {
             reduced_mass: mass() / 2.0,
             normal_speed: (2.0 * temperature).sqrt() * SPEED,
             tangential_speed: 0.0,
+            acceleration: 0.0,
             materials: [0, 0],
         });
         match answer.response {

@@ -90,6 +90,7 @@ mod tests {
             reduced_mass: mass() / 2.0,
             normal_speed: 1e-7,
             tangential_speed: 0.0,
+            acceleration: 0.0,
             materials: [0, 0],
         };
         let answer = Integrated::new(gas.law()).collide(&impact);
