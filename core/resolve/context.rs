@@ -4,7 +4,7 @@ use super::effects::{Effects, Incident};
 use super::parameters::Parameters;
 use crate::cluster::{self, Clusters};
 use crate::particle::Body;
-use crate::scalar::{Clock, Scalar};
+use crate::scalar::{Clock, Scalar, Vector};
 use crate::space::{Domain, Particles};
 
 /// What the resolution of one event works on.
@@ -25,8 +25,21 @@ impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
     }
 
     /// A body as it is now.
+    #[inline]
     pub fn present(&self, grain: usize) -> Body<S, D> {
         self.particles.present(grain, self.domain, self.clock.now)
+    }
+
+    /// A grain that is here now moves on with another velocity; one more collision in a row, or the first of a row.
+    #[inline]
+    pub fn kick(&mut self, grain: usize, [position, velocity]: [Vector<S, D>; 2], in_a_row: bool) {
+        let (now, position) = (self.clock.now, self.domain.boundary.on_lattice(position));
+        self.particles.change(grain, |body| {
+            (body.position, body.velocity) = (position, velocity);
+            (body.clock, body.reference_time) = (now, now);
+            let one_more = body.consecutive_collisions.saturating_add(1);
+            body.consecutive_collisions = if in_a_row { one_more } else { 0 };
+        });
     }
 
     /// Writes a body whose velocity changed.

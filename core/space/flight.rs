@@ -50,16 +50,27 @@ pub fn carrying_plates<'a, S: Scalar, const D: usize>(
 }
 
 /// The body at time `now`, its clock set there; everything else as it was: r + v t + g t²/2.
+#[inline]
 pub fn at<S: Scalar, const D: usize>(
     body: &Body<S, D>,
     domain: &Domain<'_, S, D>,
     now: S,
 ) -> Body<S, D> {
-    let span = now - body.clock;
-    if !body.is_supported() {
-        let (position, velocity) = free(body, domain, now);
-        return Body { position, velocity, clock: now, ..*body };
+    if body.is_supported() {
+        return held(body, domain, now);
     }
+    let (position, velocity) = free(body, domain, now);
+    Body { position, velocity, clock: now, ..*body }
+}
+
+/// The same for a body that something supports.
+#[inline(never)]
+fn held<S: Scalar, const D: usize>(
+    body: &Body<S, D>,
+    domain: &Domain<'_, S, D>,
+    now: S,
+) -> Body<S, D> {
+    let span = now - body.clock;
     let (position, velocity) = after(body, &acceleration(body, domain), &domain.boundary, span);
     let mut there = Body { position, velocity, clock: now, ..*body };
     for plate in carrying_plates(body, domain) {
