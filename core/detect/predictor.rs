@@ -2,12 +2,12 @@
 
 use super::approach::closing_speed;
 use super::bracketed_root::Found;
-use super::prefilter::Prefilter;
+use super::prefilter::{Kind, Prefilter};
 use super::scheduled_event::{EventKind, ScheduledEvent};
 use super::{cell_crossing, collision_time, root, take_off};
 use crate::particle::{Body, Partner};
-use crate::scalar::{Scalar, Vector};
-use crate::space::{BATCH, CellFace, Domain, NeighbourBatch, Particles, flight, put};
+use crate::scalar::{LANES, Scalar, Vector};
+use crate::space::{BATCH, CellFace, Domain, NeighbourBatch, Particles, flight};
 
 /// The earliest event of this grain.
 ///
@@ -136,23 +136,47 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     /// them go through it first, without a branch, and the others are solved exactly then.
     #[inline(never)]
     fn prefiltered(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch, same_image: bool) {
-        let (bodies, me) = (&*self.particles.bodies, self.filler());
-        let filter = Prefilter::new(self.now, [&self.here, &self.velocity], self.me.radius);
-        if size_of_val(bodies) > CACHE {
+        if size_of_val(&*self.particles.bodies) > CACHE {
             self.fetch(batch);
         }
-        let (mut kept, mut count) = ([0; BATCH], 0);
-        for some in batch.groups() {
-            let others = some.map(|k| bodies.get(k as usize).unwrap_or(self.me));
-            let may = filter.may_collide(self.domain, others, same_image);
-            for (i, &k) in some.iter().enumerate() {
-                put(&mut kept, count, k);
-                count += usize::from((may >> i & 1 == 1) & (k != me));
+        let weightless = self.domain.is_weightless();
+        // Where numbers are side by side there is a loop for each kind of neighbours, elsewhere one for all.
+        match (LANES, same_image, weightless) {
+            (2, true, true) => {
+                self.those_that_may(first, batch, Kind { same_image: true, weightless: true })
+            }
+            (2, false, true) => {
+                self.those_that_may(first, batch, Kind { same_image: false, weightless: true })
+            }
+            _ => self.those_that_may(first, batch, Kind { same_image, weightless }),
+        }
+    }
+
+    #[inline(always)]
+    fn those_that_may(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch, kind: Kind) {
+        let mut may = self.sifted(batch, kind);
+        while may != 0 {
+            let place = may.trailing_zeros() as usize;
+            may &= may - 1;
+            let k = batch.all().get(place).filter(|k| **k != self.filler());
+            if let Some(&k) = k {
+                self.pair(first, k as usize, kind.same_image);
             }
         }
-        for &k in kept.iter().take(count) {
-            self.pair(first, k as usize, same_image);
+    }
+
+    /// A bit for each place of a batch: whether the one there may collide. The grain itself may be among them.
+    #[inline(always)]
+    fn sifted(&self, batch: &NeighbourBatch, kind: Kind) -> u32 {
+        const { assert!(BATCH <= 32) };
+        let bodies = &*self.particles.bodies;
+        let filter = Prefilter::new(self.now, [&self.here, &self.velocity], self.me.radius);
+        let mut may = 0;
+        for (number, some) in batch.groups().enumerate() {
+            let others = some.map(|k| bodies.get(k as usize).unwrap_or(self.me));
+            may |= filter.may_collide(self.domain, others, kind) << (number * LANES);
         }
+        may
     }
 
     /// Reads something of every grain: all that are in no cache come at the same time.
@@ -163,7 +187,8 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     }
 
     /// Takes the collision with grain `k` into account.
-    #[inline]
+    // As a function of its own it would not know of what kind all neighbours are.
+    #[inline(always)]
     fn pair(&self, first: &mut ScheduledEvent<S>, k: usize, same_image: bool) {
         let Some(other) = self.particles.body(k) else { return };
         let image = match same_image {

@@ -191,6 +191,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
             let next = if face.up { *above } else { *below };
             (*below, *same, *above) = (next, NOWHERE, NOWHERE);
         }
+        around.steps.swap(0, face.axis.min(MAX_AXES - 1));
         around
     }
 
