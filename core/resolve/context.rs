@@ -5,7 +5,7 @@ use super::parameters::Parameters;
 use crate::cluster::{self, Clusters};
 use crate::particle::Body;
 use crate::scalar::{Clock, Scalar, Vector};
-use crate::space::{Domain, Particles};
+use crate::space::{Domain, Particles, flight};
 
 /// What the resolution of one event works on.
 pub(crate) struct Context<'a, 'm, S: Scalar, const D: usize> {
@@ -28,6 +28,17 @@ impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
     #[inline]
     pub fn present(&self, grain: usize) -> Body<S, D> {
         self.particles.present(grain, self.domain, self.clock.now)
+    }
+
+    /// Two bodies as they are now: copied once.
+    #[inline]
+    pub fn both_present(&self, who: [usize; 2]) -> [Body<S, D>; 2] {
+        let [Some(a), Some(b)] = [self.particles.body(who[0]), self.particles.body(who[1])] else {
+            return [Body::default(); 2];
+        };
+        let mut pair = [*a, *b];
+        pair.iter_mut().for_each(|body| flight::advance(body, self.domain, self.clock.now));
+        pair
     }
 
     /// A grain that is here now moves on with another velocity; one more collision in a row, or the first of a row.

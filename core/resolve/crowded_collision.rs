@@ -72,7 +72,7 @@ fn touch_grain<S: Scalar, const D: usize>(
     who: [usize; 2],
 ) -> Result<EventOutcome<S>, Error> {
     let [i, k] = who;
-    let pair = [context.present(i), context.present(k)];
+    let pair = context.both_present(who);
     let [a, b] = &pair;
     let separation = context.domain.separation(a, b);
     let frame = ImpactFrame::new(separation, a.velocity - b.velocity);

@@ -56,11 +56,9 @@ pub fn at<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
     now: S,
 ) -> Body<S, D> {
-    if body.is_supported() {
-        return held(body, domain, now);
-    }
-    let (position, velocity) = free(body, domain, now);
-    Body { position, velocity, clock: now, ..*body }
+    let mut there = *body;
+    advance(&mut there, domain, now);
+    there
 }
 
 /// The same for a body that something supports.
@@ -110,10 +108,16 @@ fn after<S: Scalar, const D: usize>(
 }
 
 /// Lets the grain move until `now`.
+#[inline]
 pub fn advance<S: Scalar, const D: usize>(
     body: &mut Body<S, D>,
     domain: &Domain<'_, S, D>,
     now: S,
 ) {
-    *body = at(body, domain, now);
+    if body.is_supported() {
+        *body = held(body, domain, now);
+        return;
+    }
+    (body.position, body.velocity) = free(body, domain, now);
+    body.clock = now;
 }
