@@ -152,7 +152,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
                 far.iter().for_each(|far| near.iter().for_each(|near| take(far + near + one[0])));
             }
             _ => far.iter().for_each(|far| {
-                let rows = near.iter().map(|near| far + near);
+                let rows = near.iter().map(|near| far + near).filter(|row| *row < NOWHERE);
                 rows.for_each(|row| one.iter().for_each(|step| take(row + step)));
             }),
         }
