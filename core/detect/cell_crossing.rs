@@ -69,9 +69,10 @@ fn crossing<S: Scalar, const D: usize>(
 /// Keeps the face that is crossed first, if it can be crossed: without a branch, for nobody can guess.
 #[inline(always)]
 fn keep_sooner<S: Scalar>(first: &mut (S, u8), span: S, face: CellFace, is_open: bool) {
-    let sooner = is_open & (span < first.0);
-    first.0 = if sooner { span } else { first.0 };
-    first.1 = if sooner { face.code() } else { first.1 };
+    // Whether it is open can be guessed, which is sooner cannot: a minimum is one instruction.
+    let span = if is_open { span } else { S::NEVER };
+    first.1 = if span < first.0 { face.code() } else { first.1 };
+    first.0 = first.0.min(span);
 }
 
 /// The same for a body that something supports, as it is now.

@@ -12,7 +12,8 @@ use crate::space::{Domain, Particles, Plane, flight};
 ///
 /// It depends on nothing but the two, not on when it is asked: both are taken at the later of their
 /// clocks. `image` is what their separation lacks to that of the images which are near now.
-#[inline]
+#[cfg_attr(feature = "alloc", inline(always))]
+#[cfg_attr(not(feature = "alloc"), inline)]
 pub(super) fn free_pair<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
     [me, other]: [&Body<S, D>; 2],

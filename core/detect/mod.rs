@@ -4,6 +4,7 @@ mod approach;
 pub mod bracketed_root;
 mod cell_crossing;
 mod collision_time;
+mod look;
 mod number_range;
 mod plate_acceleration;
 mod predictor;

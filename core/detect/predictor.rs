@@ -2,12 +2,11 @@
 
 use super::approach::closing_speed;
 use super::bracketed_root::Found;
-use super::prefilter::Prefilter;
 use super::scheduled_event::{EventKind, ScheduledEvent};
 use super::{cell_crossing, collision_time, root, take_off};
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector};
-use crate::space::{BATCH, CellFace, Domain, NeighbourBatch, Particles, flight, put};
+use crate::space::{CellFace, Domain, Particles, flight};
 
 /// The earliest event of this grain.
 ///
@@ -54,22 +53,19 @@ pub(crate) fn next_event_after_crossing<S: Scalar, const D: usize>(
     predictor.earliest(first)
 }
 
-/// So many bytes of bodies are held by the cache next to a processor.
-const CACHE: usize = 2 << 20;
-
 /// Predicts the events of one grain.
-struct Predictor<'a, S: Scalar, const D: usize> {
-    particles: &'a Particles<'a, S, D>,
-    domain: &'a Domain<'a, S, D>,
-    now: S,
+pub(super) struct Predictor<'a, S: Scalar, const D: usize> {
+    pub particles: &'a Particles<'a, S, D>,
+    pub domain: &'a Domain<'a, S, D>,
+    pub now: S,
     grain: usize,
     /// The grain at its own clock.
-    me: &'a Body<S, D>,
+    pub me: &'a Body<S, D>,
     /// Its cell's numbers along the axes.
     at: [u32; D],
     /// Where it is now and how it flies, if nothing supports it.
-    here: Vector<S, D>,
-    velocity: Vector<S, D>,
+    pub here: Vector<S, D>,
+    pub velocity: Vector<S, D>,
     /// What it does by itself.
     own: ScheduledEvent<S>,
     /// When it gets out of reach of the neighbours.
@@ -77,7 +73,8 @@ struct Predictor<'a, S: Scalar, const D: usize> {
 }
 
 impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
-    #[inline]
+    #[cfg_attr(feature = "alloc", inline(always))]
+    #[cfg_attr(not(feature = "alloc"), inline)]
     fn new(
         particles: &'a Particles<'_, S, D>,
         domain: &'a Domain<'_, S, D>,
@@ -100,71 +97,15 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
 
     /// The grain itself: what a batch is filled up with.
     #[expect(clippy::cast_possible_truncation, reason = "the builder refuses more than MAX_GRAINS")]
-    fn filler(&self) -> u32 {
+    pub fn filler(&self) -> u32 {
         self.grain as u32
     }
 
-    /// Takes the collisions with a batch into account, in the images that are nearest now.
-    #[inline]
-    fn batch(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch) {
-        let same_image = batch.same_image || self.domain.boundary.is_open();
-        match self.particles.supported {
-            0 if S::RANGE.is_none() => self.prefiltered(first, batch, same_image),
-            _ => self.one_by_one(first, batch, same_image),
-        }
-    }
-
-    /// The same if something may support some of them, or in fixed point: there the squares of squares may
-    /// not fit, and the prefilter costs what an exact test does.
-    #[inline(never)]
-    fn one_by_one(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch, same_image: bool) {
-        let any = self.particles.supported > 0;
-        let free = batch.only(self.filler(), |k| match self.particles.body(k as usize) {
-            Some(other) if any && (self.me.is_supported() || other.is_supported()) => {
-                self.supported(first, k as usize, other);
-                false
-            }
-            _ => true,
-        });
-        match S::RANGE {
-            None => self.prefiltered(first, &free, same_image),
-            Some(_) => free.all().iter().for_each(|&k| self.pair(first, k as usize, same_image)),
-        }
-    }
-
-    /// The same if nothing supports any of them. Most pairs never collide, which the prefilter tells: all of
-    /// them go through it first, without a branch, and the others are solved exactly then.
-    #[inline(never)]
-    fn prefiltered(&self, first: &mut ScheduledEvent<S>, batch: &NeighbourBatch, same_image: bool) {
-        let (bodies, me) = (&*self.particles.bodies, self.filler());
-        let filter = Prefilter::new(self.now, [&self.here, &self.velocity], self.me.radius);
-        if size_of_val(bodies) > CACHE {
-            self.fetch(batch);
-        }
-        let (mut kept, mut count) = ([0; BATCH], 0);
-        for some in batch.groups() {
-            let others = some.map(|k| bodies.get(k as usize).unwrap_or(self.me));
-            let may = filter.may_collide(self.domain, others, same_image);
-            for (i, &k) in some.iter().enumerate() {
-                put(&mut kept, count, k);
-                count += usize::from((may >> i & 1 == 1) & (k != me));
-            }
-        }
-        for &k in kept.iter().take(count) {
-            self.pair(first, k as usize, same_image);
-        }
-    }
-
-    /// Reads something of every grain: all that are in no cache come at the same time.
-    #[inline]
-    fn fetch(&self, batch: &NeighbourBatch) {
-        let bodies = batch.all().iter().filter_map(|&k| self.particles.body(k as usize));
-        core::hint::black_box(bodies.fold(0, |sum, body| sum ^ body.clock.bits()));
-    }
-
     /// Takes the collision with grain `k` into account.
-    #[inline]
-    fn pair(&self, first: &mut ScheduledEvent<S>, k: usize, same_image: bool) {
+    // As a function of its own it would not know of what kind all neighbours are.
+    #[cfg_attr(feature = "alloc", inline(always))]
+    #[cfg_attr(not(feature = "alloc"), inline)]
+    pub fn pair(&self, first: &mut ScheduledEvent<S>, k: usize, same_image: bool) {
         let Some(other) = self.particles.body(k) else { return };
         let image = match same_image {
             true => Vector::zeros(),
@@ -188,7 +129,7 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
 
     /// The same if one of the two is supported.
     #[inline(never)]
-    fn supported(&self, first: &mut ScheduledEvent<S>, k: usize, other: &Body<S, D>) {
+    pub fn supported(&self, first: &mut ScheduledEvent<S>, k: usize, other: &Body<S, D>) {
         if self.is_in_contact_with(k, other) {
             return;
         }

@@ -128,7 +128,7 @@ impl<S: Scalar, const D: usize> Body<S, D> {
 
     /// The first field that can no longer be computed with, if there is one.
     pub(crate) fn out_of_range(&self) -> Option<&'static str> {
-        let inside = |v: &Vector<S, D>| v.iter().all(|x| x.in_range());
+        let inside = |v: &Vector<S, D>| v.iter().fold(true, |inside, x| inside & x.in_range());
         if !inside(&self.position) {
             return Some("position");
         }

@@ -4,8 +4,8 @@ use super::effects::{Effects, Incident};
 use super::parameters::Parameters;
 use crate::cluster::{self, Clusters};
 use crate::particle::Body;
-use crate::scalar::{Clock, Scalar};
-use crate::space::{Domain, Particles};
+use crate::scalar::{Clock, Scalar, Vector};
+use crate::space::{Domain, Particles, flight};
 
 /// What the resolution of one event works on.
 pub(crate) struct Context<'a, 'm, S: Scalar, const D: usize> {
@@ -25,8 +25,32 @@ impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
     }
 
     /// A body as it is now.
+    #[inline]
     pub fn present(&self, grain: usize) -> Body<S, D> {
         self.particles.present(grain, self.domain, self.clock.now)
+    }
+
+    /// Two bodies as they are now: copied once.
+    #[inline]
+    pub fn both_present(&self, who: [usize; 2]) -> [Body<S, D>; 2] {
+        let [Some(a), Some(b)] = [self.particles.body(who[0]), self.particles.body(who[1])] else {
+            return [Body::default(); 2];
+        };
+        let mut pair = [*a, *b];
+        pair.iter_mut().for_each(|body| flight::advance(body, self.domain, self.clock.now));
+        pair
+    }
+
+    /// A grain that is here now moves on with another velocity; one more collision in a row, or the first of a row.
+    #[inline]
+    pub fn kick(&mut self, grain: usize, [position, velocity]: [Vector<S, D>; 2], in_a_row: bool) {
+        let (now, position) = (self.clock.now, self.domain.boundary.on_lattice(position));
+        self.particles.change(grain, |body| {
+            (body.position, body.velocity) = (position, velocity);
+            (body.clock, body.reference_time) = (now, now);
+            let one_more = body.consecutive_collisions.saturating_add(1);
+            body.consecutive_collisions = if in_a_row { one_more } else { 0 };
+        });
     }
 
     /// Writes a body whose velocity changed.

@@ -102,7 +102,7 @@ fn touch_grain<S: Scalar, const D: usize>(
     who: [usize; 2],
 ) -> Result<EventOutcome<S>, Error> {
     let [i, k] = who;
-    let pair = who.map(|x| context.present(x));
+    let pair = context.both_present(who);
     let [a, b] = &pair;
     let separation = context.domain.separation(a, b);
     let frame = ImpactFrame::new(separation, a.velocity - b.velocity);
@@ -236,16 +236,11 @@ pub(super) fn kick<S: Scalar, const D: usize>(
         context.join(x);
     }
     let soon = is_settled(body) || is_soon(context, body, radius, S::from_f32(1.0 / 16.0));
-    let Some(kept) = context.particles.body(x).copied() else { return };
-    let consecutive_collisions =
-        if soon { kept.consecutive_collisions.saturating_add(1) } else { 0 };
-    let (position, velocity) = (body.position, body.velocity + change);
+    let velocity = body.velocity + change;
     if is_settled(body) {
         context.clusters.speed = context.clusters.speed.max(norm(&velocity));
     }
-    let (clock, reference_time) = (context.now(), context.now());
-    let kicked = Body { position, velocity, clock, reference_time, consecutive_collisions, ..kept };
-    context.replace(x, kicked);
+    context.kick(x, [body.position, velocity], soon);
 }
 
 /// As [`super::instantaneous_collision`]: grains part at least so fast.

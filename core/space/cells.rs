@@ -1,6 +1,6 @@
 //! Who is near whom? Linked lists of grains in the cells of a grid, in borrowed memory; reads cells, writes lists.
 
-use super::grid::{CellBlock, CellFace, Grid, NOWHERE};
+use super::grid::{CellBlock, CellFace, Grid, NOWHERE, Steps};
 use super::neighbours::{BATCH, END, MORE, NeighbourBatch, put};
 use crate::scalar::Scalar;
 
@@ -124,46 +124,54 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     #[inline(never)]
     fn within(&self, around: &CellBlock, filler: u32, visit: &mut dyn FnMut(&NeighbourBatch)) {
         let mut batch = NeighbourBatch::new(filler, around.same_image);
-        let [along @ [first, second, third], near, far] = &around.steps;
-        let side_by_side = *second == first + 1 && *third == second + 1;
-        for row in far {
-            for row in near.iter().map(|step| row + step).filter(|&row| row < NOWHERE) {
-                let three =
-                    self.heads.get((row + first) as usize..).and_then(<[u32]>::first_chunk::<3>);
-                if let Some(three) = three.filter(|_| side_by_side) {
-                    three.iter().for_each(|&head| batch.put_list(head));
-                    continue;
-                }
-                let cells = along.iter().filter_map(|step| self.heads.get((row + step) as usize));
-                cells.for_each(|&head| batch.put_list(head));
+        self.gather_firsts(around, &mut batch);
+        while batch.lists > 0 {
+            // Nobody's list is longer than there are places for the next of all.
+            if batch.count + batch.lists > BATCH {
+                batch.flush(filler, visit);
             }
-        }
-        for list in 0..batch.lists {
-            let first = batch.more.get(list).copied().unwrap_or(END);
-            self.gather_list(first, &mut batch, filler, visit);
+            self.gather_next(&mut batch);
         }
         batch.flush(filler, visit);
     }
 
-    /// Gathers all but the first of a list, and makes room.
-    #[inline]
-    fn gather_list(
-        &self,
-        first: u32,
-        batch: &mut NeighbourBatch,
-        filler: u32,
-        visit: &mut dyn FnMut(&NeighbourBatch),
-    ) {
-        let mut grain = first;
-        while let Some(Link { next, .. }) = self.links.get(grain as usize).filter(|l| l.next != END)
-        {
-            if batch.count == BATCH {
-                batch.flush(filler, visit);
+    /// Gathers the first of each list. The loops have a fixed length where no face of the world is near.
+    #[inline(always)]
+    fn gather_firsts(&self, around: &CellBlock, batch: &mut NeighbourBatch) {
+        let [one, near, far] = &around.steps;
+        // In a register: what is counted in memory must be there before the next can be put.
+        let mut counts = (0, 0);
+        let mut take = |cell: u32| {
+            let head = self.heads.get(cell as usize).copied().unwrap_or(END);
+            counts = batch.put_list(head, counts);
+        };
+        let all = |steps: &Steps| steps.iter().fold(0, |bits, step| bits | step) < NOWHERE;
+        let is_single = one[1] >= NOWHERE;
+        match (all(near) & all(far), is_single) {
+            (true, true) => {
+                far.iter().for_each(|far| near.iter().for_each(|near| take(far + near + one[0])));
             }
-            put(&mut batch.grains, batch.count, *next);
-            batch.count += 1;
-            grain = *next;
+            _ => far.iter().for_each(|far| {
+                let rows = near.iter().map(|near| far + near).filter(|row| *row < NOWHERE);
+                rows.for_each(|row| one.iter().for_each(|step| take(row + step)));
+            }),
         }
+        (batch.count, batch.lists) = counts;
+    }
+
+    /// Gathers the next of each list that goes on.
+    #[inline(always)]
+    fn gather_next(&self, batch: &mut NeighbourBatch) {
+        let next = |grain: u32| self.links.get(grain as usize).map_or(END, |link| link.next);
+        let (mut count, mut lists) = (batch.count, 0);
+        for list in 0..batch.lists {
+            let grain = next(batch.more.get(list).copied().unwrap_or(END));
+            put(&mut batch.grains, count, grain);
+            put(&mut batch.more, lists, grain);
+            count += 1;
+            lists += usize::from(next(grain) != END);
+        }
+        (batch.count, batch.lists) = (count, lists);
     }
 }
 

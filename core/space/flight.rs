@@ -50,16 +50,25 @@ pub fn carrying_plates<'a, S: Scalar, const D: usize>(
 }
 
 /// The body at time `now`, its clock set there; everything else as it was: r + v t + g t²/2.
+#[inline]
 pub fn at<S: Scalar, const D: usize>(
     body: &Body<S, D>,
     domain: &Domain<'_, S, D>,
     now: S,
 ) -> Body<S, D> {
+    let mut there = *body;
+    advance(&mut there, domain, now);
+    there
+}
+
+/// The same for a body that something supports.
+#[inline(never)]
+fn held<S: Scalar, const D: usize>(
+    body: &Body<S, D>,
+    domain: &Domain<'_, S, D>,
+    now: S,
+) -> Body<S, D> {
     let span = now - body.clock;
-    if !body.is_supported() {
-        let (position, velocity) = free(body, domain, now);
-        return Body { position, velocity, clock: now, ..*body };
-    }
     let (position, velocity) = after(body, &acceleration(body, domain), &domain.boundary, span);
     let mut there = Body { position, velocity, clock: now, ..*body };
     for plate in carrying_plates(body, domain) {
@@ -99,10 +108,16 @@ fn after<S: Scalar, const D: usize>(
 }
 
 /// Lets the grain move until `now`.
+#[inline]
 pub fn advance<S: Scalar, const D: usize>(
     body: &mut Body<S, D>,
     domain: &Domain<'_, S, D>,
     now: S,
 ) {
-    *body = at(body, domain, now);
+    if body.is_supported() {
+        *body = held(body, domain, now);
+        return;
+    }
+    (body.position, body.velocity) = free(body, domain, now);
+    body.clock = now;
 }

@@ -191,6 +191,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
             let next = if face.up { *above } else { *below };
             (*below, *same, *above) = (next, NOWHERE, NOWHERE);
         }
+        around.steps.swap(0, face.axis.min(MAX_AXES - 1));
         around
     }
 
@@ -223,8 +224,10 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         let (Some(&c), Some(along)) = (at.get(face.axis), axes.get(face.axis)) else {
             return (S::zero(), false);
         };
-        let number = c + u32::from(face.up);
-        let last = number == if face.up { along.count } else { 0 };
+        // Without a branch: nobody can guess to which side a grain flies.
+        let up = u32::from(face.up);
+        let number = c + up;
+        let last = number == along.count * up;
         (along.low + along.width * S::from_count(number), along.periodic | !last)
     }
 

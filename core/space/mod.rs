@@ -17,5 +17,5 @@ pub(crate) use boundary::SavedBoundary;
 pub(crate) use cells::Cells;
 pub(crate) use domain::Domain;
 pub(crate) use grid::{CellFace, Grid};
-pub(crate) use neighbours::{BATCH, NeighbourBatch, put};
+pub(crate) use neighbours::{BATCH, NeighbourBatch};
 pub(crate) use particles::{Particles, largest_radius};

@@ -37,14 +37,14 @@ impl NeighbourBatch {
         Self { grains: [filler; BATCH], count: 0, more: [0; BATCH], lists: 0, same_image }
     }
 
-    /// Takes the head of a list in; that of an empty one gives way to the next.
+    /// Takes the head of a list in; that of an empty one gives way to the next. Counts grains, and lists with more.
     #[inline(always)]
-    pub(super) fn put_list(&mut self, head: u32) {
+    #[must_use]
+    pub(super) fn put_list(&mut self, head: u32, (count, lists): (usize, usize)) -> (usize, usize) {
         let grain = head & !MORE;
-        put(&mut self.grains, self.count, grain);
-        put(&mut self.more, self.lists, grain);
-        self.count += usize::from(head != END);
-        self.lists += (head / MORE) as usize;
+        put(&mut self.grains, count, grain);
+        put(&mut self.more, lists, grain);
+        (count + usize::from(head != END), lists + (head / MORE) as usize)
     }
 
     /// The grains.
@@ -56,8 +56,8 @@ impl NeighbourBatch {
     #[inline]
     pub fn groups(&self) -> impl Iterator<Item = &[u32; LANES]> {
         const { assert!(BATCH % LANES == 0 && LANES <= 2) };
-        let groups = self.grains.chunks_exact(LANES).take(self.count.div_ceil(LANES));
-        groups.filter_map(|group| group.try_into().ok())
+        let filled = self.grains.get(..self.count.next_multiple_of(LANES)).unwrap_or(&self.grains);
+        filled.chunks_exact(LANES).filter_map(|group| group.first_chunk())
     }
 
     /// Some of them.

@@ -35,6 +35,7 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
     }
 
     /// The body as it is now. An index out of range gives an empty place; none is ever asked for.
+    #[inline]
     pub fn present(&self, grain: usize, domain: &Domain<'_, S, D>, now: S) -> Body<S, D> {
         match self.bodies.get(grain) {
             Some(body) => flight::at(body, domain, now),
@@ -61,12 +62,18 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
     }
 
     /// The same where its position stays as it was: at its own clock it may be many boxes away.
-    pub fn put(&mut self, grain: usize, mut body: Body<S, D>) {
-        body.event_count = body.event_count.wrapping_add(1);
-        if let Some(place) = self.bodies.get_mut(grain) {
-            self.supported -= usize::from(place.is_supported());
+    pub fn put(&mut self, grain: usize, body: Body<S, D>) {
+        self.change(grain, |place| *place = body);
+    }
+
+    /// Changes a body where it is: events predicted for it are void.
+    #[inline]
+    pub fn change(&mut self, grain: usize, change: impl FnOnce(&mut Body<S, D>)) {
+        if let Some(body) = self.bodies.get_mut(grain) {
+            self.supported -= usize::from(body.is_supported());
+            change(body);
             self.supported += usize::from(body.is_supported());
-            *place = body;
+            body.event_count = body.event_count.wrapping_add(1);
         }
     }
 

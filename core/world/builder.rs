@@ -259,7 +259,8 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         for axis in 0..D {
             boundary.periodic(axis).into_iter().for_each(|p| boundary.set_periodic(axis, p));
         }
-        let Buffers { bodies, events, tree, links, heads, accelerations, .. } = self.buffers;
+        let Buffers { bodies, events, tree, links, heads, accelerations, calendar, .. } =
+            self.buffers;
         let bodies = bodies.get_mut(..self.count).unwrap_or_default();
         let events = events.get_mut(..self.count).unwrap_or_default();
         let tree = tree.get_mut(..self.count).unwrap_or_default();
@@ -295,7 +296,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
                 settled_gravity: self.gravity,
             },
             clusters: Clusters::none(),
-            queue: EventQueue::new(events, tree),
+            queue: EventQueue::new(events, tree, calendar),
             rule: self.rule,
             statistics: Statistics::default(),
             progress: Progress::START,

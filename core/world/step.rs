@@ -199,7 +199,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// Nothing happens before this instant; none if nothing will ever happen. Firmware can sleep until then.
     #[must_use]
     pub fn next_event_time(&self) -> Option<Instant> {
-        let event = self.queue.event(self.queue.first()?);
+        let event = self.queue.earliest()?;
         let time = event.time.min(self.clusters.due());
         (time < S::NEVER).then(|| self.clock.instant_of(time))
     }

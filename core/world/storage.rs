@@ -7,7 +7,8 @@ use crate::space::{Link, MAX_PLANES, Plane};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 
-/// What a world borrows. The shortest slice but `heads` says how many grains fit.
+/// What a world borrows. The shortest of the slices that have a place for each grain says how many fit; those of the
+/// calendar do not count.
 pub struct Buffers<'m, S: Scalar, const D: usize> {
     /// One body for each grain.
     pub bodies: &'m mut [Body<S, D>],
@@ -24,6 +25,9 @@ pub struct Buffers<'m, S: Scalar, const D: usize> {
     /// One vector for each grain: its acceleration in the last step, where contacts last or crowd. None where the
     /// world is in the papers' mode.
     pub accelerations: &'m mut [Vector<S, D>],
+    /// With the feature `alloc`, the calendar of events: two words for each grain, for each of as many days at least,
+    /// of which a power of two is used, and one more. With fewer, or none, the tree does the calendar's work.
+    pub calendar: &'m mut [[u32; 2]],
 }
 
 impl<S: Scalar, const D: usize> Buffers<'_, S, D> {
@@ -43,7 +47,7 @@ pub trait Storage<S: Scalar, const D: usize> {
 
 /// The arrays behind [`Buffers`], of whatever type.
 #[derive(Clone, Debug, Default)]
-struct Arrays<B, E, W, L, P, V> {
+struct Arrays<B, E, W, L, P, V, C> {
     bodies: B,
     events: E,
     tree: W,
@@ -51,15 +55,17 @@ struct Arrays<B, E, W, L, P, V> {
     heads: W,
     planes: P,
     accelerations: V,
+    calendar: C,
 }
 
-impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P, V> Arrays<B, E, W, L, P, V> {
+impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P, V, C> Arrays<B, E, W, L, P, V, C> {
     fn buffers<S: Scalar, const D: usize>(&mut self) -> Buffers<'_, S, D>
     where
         B: AsMut<[Body<S, D>]>,
         E: AsMut<[ScheduledEvent<S>]>,
         P: AsMut<[Plane<S, D>]>,
         V: AsMut<[Vector<S, D>]>,
+        C: AsMut<[[u32; 2]]>,
     {
         Buffers {
             bodies: self.bodies.as_mut(),
@@ -69,6 +75,7 @@ impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P, V> Arrays<B, E, W, L, P, V> {
             heads: self.heads.as_mut(),
             planes: self.planes.as_mut(),
             accelerations: self.accelerations.as_mut(),
+            calendar: self.calendar.as_mut(),
         }
     }
 }
@@ -80,6 +87,7 @@ type InPlace<S, const D: usize, const N: usize, const P: usize, const C: usize> 
     [Link; N],
     [Plane<S, D>; P],
     [Vector<S, D>; C],
+    [[u32; 2]; 0],
 >;
 
 /// Memory for at most `N` grains and `P` planes, owned in place: no allocator. `C` grains can be in contacts that are
@@ -149,6 +157,7 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize>
         heads: [0; N],
         planes: [Plane::VACANT; P],
         accelerations: [vector([S::ZERO; D]); C],
+        calendar: [],
     });
 }
 
@@ -177,6 +186,7 @@ type OnHeap<S, const D: usize> = Arrays<
     Vec<Link>,
     Vec<Plane<S, D>>,
     Vec<Vector<S, D>>,
+    Vec<[u32; 2]>,
 >;
 
 /// Memory on the heap, for a number of grains that is known at run time only (feature `alloc`).
@@ -215,6 +225,7 @@ impl<S: Scalar, const D: usize> HeapMemory<S, D> {
             heads: Vec::new(),
             planes: alloc::vec![Plane::VACANT; MAX_PLANES],
             accelerations: Vec::new(),
+            calendar: Vec::new(),
         });
         memory.reserve(grains);
         memory
@@ -229,6 +240,7 @@ impl<S: Scalar, const D: usize> HeapMemory<S, D> {
         arrays.tree.resize(grains, 0);
         arrays.links.resize(grains, Link::VACANT);
         arrays.accelerations.resize(grains, vector([S::ZERO; D]));
+        arrays.calendar.resize(grains + (2 * grains).next_power_of_two() + 1, [0; 2]);
         // Twice as many: a grid cannot use just any number of cells.
         arrays.heads.resize(arrays.heads.len() + 2 * additional, 0);
     }

@@ -131,6 +131,7 @@ fn bytes<const D: usize>(storage: &mut HeapMemory<f64, D>) -> usize {
         + size_of_val(buffers.links)
         + size_of_val(buffers.heads)
         + size_of_val(buffers.accelerations)
+        + size_of_val(buffers.calendar)
 }
 
 /// User CPU time of this process (s): what others do on the machine is left out as far as it can be.
