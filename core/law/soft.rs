@@ -107,7 +107,11 @@ where
             (None, Outside::HardSphere) => return self.central(&groups),
         };
         let Some(found) = found else { return refused(&groups) };
-        let load = scales.load(impact, found.speed);
+        // Where the nearest impact stands in, c_dis and η are not those of what was found.
+        let load = match validity {
+            Validity::Inside => scales.load(impact, found.speed),
+            _ => S::zero(),
+        };
         let end = self.table.data.coordinates.end;
         let outcome = scales.outcome(&loaded((L::LAW, end), &groups, load, found));
         Answer { response: Response::Lasting(outcome), validity }
