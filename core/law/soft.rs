@@ -5,12 +5,12 @@ use super::embedded::Standard;
 use super::embedded::TableSet;
 use super::load::loaded;
 use super::rule::{Answer, ContactForce, Impact, Response, Rule, Validity};
-use super::scales::{ForceLaw, Scales};
+use super::scales::ForceLaw;
 #[cfg(feature = "standard")]
 use super::scales::{LinearDashpot, Viscoelastic};
 use crate::error::Error;
 use crate::scalar::Scalar;
-use carom_tables::read::{Groups, ScaledRestitution, StoredNumber, Table};
+use carom_tables::read::{Groups, StoredNumber, Table};
 
 /// What to do with an impact outside the table's domain. It is counted in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,14 +100,21 @@ where
             return Answer::exact(Response::Overflow(quantity));
         }
         let groups = impact.groups(&scales);
-        if let Some(found) = self.table.read(&groups) {
-            return Answer::exact(self.lasting(impact, &scales, (&groups, found)));
-        }
-        match self.outside {
-            Outside::Reject => refused(&groups),
-            Outside::Clamp => self.clamped(impact, &groups, &scales),
-            Outside::HardSphere => self.central(&groups),
-        }
+        let (found, validity) = match (self.table.read(&groups), self.outside) {
+            (Some(found), _) => (Some(found), Validity::Inside),
+            (None, Outside::Reject) => (None, Validity::Inside),
+            (None, Outside::Clamp) => (self.table.read_nearest(&groups), Validity::Clamped),
+            (None, Outside::HardSphere) => return self.central(&groups),
+        };
+        let Some(found) = found else { return refused(&groups) };
+        // Where the nearest impact stands in, c_dis and η are not those of what was found.
+        let load = match validity {
+            Validity::Inside => scales.load(impact, found.speed),
+            _ => S::zero(),
+        };
+        let end = self.table.data.coordinates.end;
+        let outcome = scales.outcome(&loaded((L::LAW, end), &groups, load, found));
+        Answer { response: Response::Lasting(outcome), validity }
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -124,40 +131,6 @@ where
 }
 
 impl<L, C: StoredNumber> Soft<L, C> {
-    /// What the table has found, under the impact's load.
-    #[inline]
-    fn lasting<S: Scalar>(
-        &self,
-        impact: &Impact<S>,
-        scales: &Scales<S>,
-        (groups, found): (&Groups<S>, ScaledRestitution<S>),
-    ) -> Response<S>
-    where
-        L: ForceLaw<S>,
-    {
-        let load = scales.load(impact, found.speed);
-        let end = self.table.data.coordinates.end;
-        Response::Lasting(scales.outcome(&loaded((L::LAW, end), groups, load, found)))
-    }
-
-    fn clamped<S: Scalar>(
-        &self,
-        impact: &Impact<S>,
-        groups: &Groups<S>,
-        scales: &Scales<S>,
-    ) -> Answer<S>
-    where
-        L: ForceLaw<S>,
-    {
-        match self.table.read_nearest(groups) {
-            Some(found) => Answer {
-                response: self.lasting(impact, scales, (groups, found)),
-                validity: Validity::Clamped,
-            },
-            None => refused(groups),
-        }
-    }
-
     fn central<S: Scalar>(&self, groups: &Groups<S>) -> Answer<S> {
         let central = Groups { sin: S::zero(), cos: S::one(), eta: S::zero(), c_dis: groups.c_dis };
         match self.table.read_nearest(&central) {

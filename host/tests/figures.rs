@@ -7,6 +7,7 @@ use carom_host::figure::gases::{cooling, free_time, theory::Theory};
 use carom_host::figure::hard::Plan;
 use carom_host::figure::mp13::gas::{Reading, SoftGas};
 use carom_host::figure::rest::Heap;
+use carom_host::figure::waves::shaken_disks::Disks;
 use carom_host::figure::{self, Made, Options};
 
 fn make(id: &str) -> Made {
@@ -191,4 +192,18 @@ fn mean_free_time_of_an_elastic_gas() {
     let [density, expected] = free_time::KNOWN;
     let found = free_time::free_time(1_372, density, plan).unwrap().value;
     assert!((found / expected - 1.0).abs() < 0.01, "{found}");
+}
+
+/// A narrow layer: what changes sign from one cycle to the next in MD does so event by event, with the same ε.
+#[test]
+fn flow_the_law_of_md_gives_the_restitution_of_the_events() {
+    let layer = Disks { c_dis: 0.0, ..carom_host::figure::waves::flow::LAYER };
+    assert_eq!(layer.restitution(), [1.0, 1.0]);
+    // ε of a damped oscillator until its force vanishes, here by its closed form.
+    let [pair, wall] = carom_host::figure::waves::flow::LAYER.restitution();
+    for (restitution, c) in [(pair, 0.24_f64), (wall, 0.24 / 2.0_f64.sqrt())] {
+        let omega = (1.0 - c * c / 4.0).sqrt();
+        let tau = (std::f64::consts::PI - (c * omega / (1.0 - c * c / 2.0)).atan()) / omega;
+        assert!((restitution - (-c * tau / 2.0).exp()).abs() < 1e-9, "{restitution} at {c}");
+    }
 }

@@ -9,6 +9,10 @@ use serde::Serialize;
 use std::io::Write;
 use std::path::PathBuf;
 
+/// What the papers have besides.
+const DRAWINGS: &str = "Drawings of a setup, not made: MP13 Figs. 1 and 2, BSFP14 Figs. 1, 2, 4 and 6. \
+MP13's Tables I and II are ranges of parameters: carom table.";
+
 /// The options of `carom figure`.
 #[derive(Args, Debug)]
 pub struct FigureOptions {
@@ -59,6 +63,7 @@ pub fn figure(options: &FigureOptions) -> Result<()> {
         for entry in figure::all() {
             writeln!(out, "{:<13} {}", entry.id, entry.what)?;
         }
+        writeln!(out, "{DRAWINGS}")?;
         return Ok(());
     };
     let entry = figure::find(id)?;

@@ -2,7 +2,7 @@
 
 use super::data::{Entry, Figure, Made, Note, Series, Value};
 use super::number::significant;
-use super::{bsfp14, gases, l94, mp13, rest};
+use super::{bsfp14, gases, l94, mp13, rest, waves};
 use anyhow::{Result, bail};
 use std::io::Write;
 
@@ -116,6 +116,11 @@ const OURS: &[Entry] = &[
         "mean-free-time",
         "mean free time of elastic hard spheres, against Enskog and Lue",
         gases::free_time::make
+    ),
+    entry!(
+        "flow",
+        "how grains flow in a shaken layer of disks, by MD and event by event",
+        waves::flow::make
     ),
 ];
 

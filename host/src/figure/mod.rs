@@ -19,6 +19,7 @@ pub mod page;
 pub mod rest;
 mod style;
 mod table;
+pub mod waves;
 
 pub use data::{Axes, Entry, Figure, Made, Note, Options, Series, Value};
 pub use list::{all, find, print};
