@@ -49,10 +49,10 @@ impl<S: Scalar, const D: usize> Predictor<'_, S, D> {
         // Where numbers are side by side there is a loop for each kind of neighbours, elsewhere one for all.
         match (LANES, same_image, weightless) {
             (2, true, true) => {
-                self.those_that_may(first, batch, Kind { same_image: true, weightless: true })
+                self.those_that_may(first, batch, Kind { same_image: true, weightless: true });
             }
             (2, false, true) => {
-                self.those_that_may(first, batch, Kind { same_image: false, weightless: true })
+                self.those_that_may(first, batch, Kind { same_image: false, weightless: true });
             }
             _ => self.those_that_may(first, batch, Kind { same_image, weightless }),
         }

@@ -34,8 +34,8 @@ fn bounce(rule: impl Rule<f64>, enduring: Enduring, speed: f64) -> [f64; 2] {
     let mut memory = Memory::<f64, 1, 1>::new();
     let mut world = World::builder(&mut memory)
         .enduring(enduring)
-        .gravity([-GRAVITY].into())
-        .plane(Plane::new([1.0].into(), 0.0, Surface::Rule))
+        .gravity([-GRAVITY])
+        .plane(Plane::new([1.0], 0.0, Surface::Rule))
         .rule(rule)
         .grain(Grain::with_mass(RADIUS, MASS).at([RADIUS]).moving([-speed]))
         .unwrap()
