@@ -31,7 +31,8 @@ impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
     }
 
     /// Two bodies as they are now: copied once.
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline)]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub fn both_present(&self, who: [usize; 2]) -> [Body<S, D>; 2] {
         let [Some(a), Some(b)] = [self.particles.body(who[0]), self.particles.body(who[1])] else {
             return [Body::default(); 2];
@@ -42,7 +43,8 @@ impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
     }
 
     /// A grain that is here now moves on with another velocity; one more collision in a row, or the first of a row.
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline)]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub fn kick(&mut self, grain: usize, [position, velocity]: [Vector<S, D>; 2], in_a_row: bool) {
         let (now, position) = (self.clock.now, self.domain.boundary.on_lattice(position));
         self.particles.change(grain, |body| {

@@ -50,7 +50,8 @@ pub fn carrying_plates<'a, S: Scalar, const D: usize>(
 }
 
 /// The body at time `now`, its clock set there; everything else as it was: r + v t + g t²/2.
-#[inline]
+#[cfg_attr(target_pointer_width = "64", inline)]
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub fn at<S: Scalar, const D: usize>(
     body: &Body<S, D>,
     domain: &Domain<'_, S, D>,
@@ -108,7 +109,8 @@ fn after<S: Scalar, const D: usize>(
 }
 
 /// Lets the grain move until `now`.
-#[inline]
+#[cfg_attr(target_pointer_width = "64", inline)]
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub fn advance<S: Scalar, const D: usize>(
     body: &mut Body<S, D>,
     domain: &Domain<'_, S, D>,
