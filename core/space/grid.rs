@@ -224,7 +224,6 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         let (Some(&c), Some(along)) = (at.get(face.axis), axes.get(face.axis)) else {
             return (S::zero(), false);
         };
-        // Without a branch: nobody can guess to which side a grain flies.
         let up = u32::from(face.up);
         let number = c + up;
         let last = number == along.count * up;
