@@ -4,6 +4,9 @@ use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, norm};
 use crate::space::{Domain, Particles, flight};
 
+/// After so many steps ways are counted anew: what is left of rounding then is lost.
+const COUNTED: f32 = 1024.0;
+
 /// The clustered grains and their common time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -18,7 +21,7 @@ pub(crate) struct Clusters<S> {
     pub step: S,
     /// None of them is faster: after a step, and when one joins or is hit.
     pub speed: S,
-    /// How long steps have been telescoped: a way is the difference of two, both from this origin, rounded.
+    /// The time since the instant from which ways are counted, see [`Self::counted_from`].
     pub phase: S,
 }
 
@@ -39,6 +42,15 @@ impl<S: Scalar> Clusters<S> {
     /// The step under way ends no later than this long after it began, but not before now.
     pub fn shorten(&mut self, step: S, now: S) {
         self.step = self.step.min(step.max(now - self.time));
+    }
+
+    /// The instants, since that from which ways are counted, of a step's beginning, middle and end. Ways are counted
+    /// anew after [`COUNTED`] steps, or before the fastest has gone this far: products stay as fine as positions.
+    pub fn counted_from(&self, step: S, far: S) -> [S; 3] {
+        let end = self.phase + step;
+        let goes_on = end <= step * S::from_f32(COUNTED) && self.speed * end <= far;
+        let begin = if goes_on { self.phase } else { S::zero() };
+        [begin, begin + step * S::half(), begin + step]
     }
 
     /// The first clustered grain.

@@ -16,9 +16,6 @@ use crate::space::{Domain, Particles};
 /// A grain that has touched nothing for so many steps flies freely.
 const FREE_AFTER: f32 = 8.0;
 
-/// After about so many steps ways are counted from a new origin: then what is left of rounding is lost.
-const TELESCOPED: f32 = 1024.0;
-
 /// Clustered grains move on to this time, which is not later than the step is long. Returns who is crushed most.
 pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
     particles: &mut Particles<'_, S, D>,
@@ -31,9 +28,9 @@ pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
     let half = step * S::half();
     let mut crush = None;
     if step > S::zero() {
-        let phase = [clusters.phase, clusters.phase + half, clusters.phase + step];
+        let [begin, middle, end] = clusters.counted_from(step, particles.largest_radius);
         for_each(particles, clusters, |particles, i| {
-            to_the_middle(particles, domain, i, ([from, half], [phase[0], phase[1]]));
+            to_the_middle(particles, domain, i, ([from, half], [begin, middle]));
         });
         let mut forces = Forces {
             particles,
@@ -53,12 +50,10 @@ pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
         let (deepest, frequency, woken) = (forces.deepest, forces.frequency, forces.woken);
         let mut fastest = S::zero();
         for_each(particles, clusters, |particles, i| {
-            let times = ([to, step], [phase[1], phase[2]]);
+            let times = ([to, step], [middle, end]);
             fastest = fastest.max(to_the_end(particles, domain, settings, i, times));
         });
-        (clusters.time, clusters.speed) = (to, fastest);
-        clusters.phase =
-            if phase[2] < step * S::from_f32(TELESCOPED) { phase[2] } else { S::zero() };
+        (clusters.time, clusters.speed, clusters.phase) = (to, fastest, end);
         woken.iter().for_each(|&k| join(particles, domain, clusters, (k, to)));
         clusters.step = settings.step(rule, fastest, (deepest, frequency));
     } else {
@@ -85,7 +80,7 @@ fn to_the_middle<S: Scalar, const D: usize>(
     particles: &mut Particles<'_, S, D>,
     domain: &Domain<'_, S, D>,
     i: usize,
-    ([from, half], phase): ([S; 2], [S; 2]),
+    ([from, half], counted): ([S; 2], [S; 2]),
 ) {
     let body = particles.present(i, domain, from);
     let before = body.velocity_change;
@@ -93,7 +88,7 @@ fn to_the_middle<S: Scalar, const D: usize>(
         *place = before;
     }
     let there = Body {
-        position: body.position + way(&body, domain, &body.velocity, phase),
+        position: body.position + way(&body, domain, &body.velocity, counted),
         velocity: body.velocity + before * half,
         velocity_change: Vector::zeros(),
         ..body
@@ -101,10 +96,10 @@ fn to_the_middle<S: Scalar, const D: usize>(
     particles.relocate(&domain.boundary, i, there);
 }
 
-/// How far a grain goes in half a step: the difference of two ways from one origin, each rounded to the lattice on
-/// which positions lie. Half a step may be shorter than a place of a position is long; rounded by itself it would
-/// add up to another speed, and slow grains would drift into each other. (On a lattice, too, so that it does
-/// not matter in which image a grain is kept.)
+/// How far a grain goes in half a step, from one of these instants to the other: the difference of the ways to both,
+/// each rounded to the lattice on which positions lie. In half a step a slow grain goes less than that lattice is
+/// wide; rounded by themselves such ways would add up to another speed, and grains would drift into each other.
+/// (On a lattice, too, so that it does not matter in which image a grain is kept.)
 #[inline(never)]
 fn way<S: Scalar, const D: usize>(
     body: &Body<S, D>,
@@ -122,7 +117,7 @@ fn to_the_end<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
     settings: &Settings<S>,
     i: usize,
-    ([to, step], phase): ([S; 2], [S; 2]),
+    ([to, step], counted): ([S; 2], [S; 2]),
 ) -> S {
     let half = step * S::half();
     let Some(body) = particles.body(i).copied() else { return S::zero() };
@@ -133,7 +128,7 @@ fn to_the_end<S: Scalar, const D: usize>(
     let slow = settings.sleep_speed(body.radius).max(rounded_speed(&body, step));
     let is_slow = speed <= slow;
     let there = Body {
-        position: body.position + way(&body, domain, &velocity, phase),
+        position: body.position + way(&body, domain, &velocity, counted),
         velocity,
         velocity_change: now,
         clock: to,

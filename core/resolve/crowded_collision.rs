@@ -68,12 +68,6 @@ fn make_room<S: Scalar, const D: usize>(
     // Who comes gives way rather than who was in contact.
     let ordered = if with_first.is_none() { [second, first] } else { [first, second] };
     make_room::between(context, rule, ordered);
-    for (x, partner) in two.into_iter().zip(partners) {
-        let (Some(x), Some(partner)) = (x, partner) else { continue };
-        for grain in [Some(x), partner.as_grain()].into_iter().flatten() {
-            make_room::at_planes(context, rule, (grain, partner));
-        }
-    }
 }
 
 /// These are clustered from now on.

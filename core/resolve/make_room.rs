@@ -2,15 +2,15 @@
 //!
 //! Until a pair's contact ends the two stand where it leaves them. A third body that breaks it off meets them
 //! there; where they really are they may overlap it, by up to as much as they overlap each other. That
-//! overlap stores energy that nobody has brought: the speed of the two is taken back by it.
+//! overlap stores energy that nobody has brought: it is taken from the speed with which they near each other.
+//! (Planes are never near enough: a pair that could reach one has no contact of its own.)
 
 use super::clearance::is_free;
 use super::context::Context;
 use super::impact_frame::ImpactFrame;
-use super::plane_collision;
 use crate::law::{Impact, Rule};
 use crate::particle::{Body, Partner};
-use crate::scalar::{Scalar, Vector, WideProduct, dot};
+use crate::scalar::{Scalar, Vector, WideProduct};
 use crate::space::flight;
 
 /// Intervals of Simpson's rule for the energy of an overlap.
@@ -60,28 +60,6 @@ fn part<S: Scalar, const D: usize>(
             let _ = give_way(context, (who[0], a), away) || give_way(context, (who[1], b), -away);
         }
         _ => {}
-    }
-}
-
-/// The same for a grain that is put into a plane.
-pub(super) fn at_planes<S: Scalar, const D: usize>(
-    context: &mut Context<'_, '_, S, D>,
-    rule: &impl Rule<S>,
-    (i, except): (usize, Partner),
-) {
-    for (p, plane) in context.domain.boundary.planes().iter().enumerate() {
-        let Some(body) = context.particles.body(i).copied() else { return };
-        let overlap = -plane.gap(&body.position, body.radius, body.clock);
-        if Partner::plane(p) == except || !(overlap > S::zero()) {
-            continue;
-        }
-        let impact = plane_collision::impact(&body, S::zero(), S::zero());
-        let speed = dot(&plane.normal, &body.velocity) - plane.motion(body.clock).speed;
-        let there = match paid(rule, &impact, (overlap, speed)) {
-            Some(change) => Body { velocity: body.velocity + plane.normal * change, ..body },
-            None => Body { position: body.position + plane.normal * overlap, ..body },
-        };
-        context.relocate(i, there);
     }
 }
 

@@ -194,9 +194,9 @@ fn mean_free_time_of_an_elastic_gas() {
     assert!((found / expected - 1.0).abs() < 0.01, "{found}");
 }
 
-/// A narrow layer: what changes sign from one cycle to the next in MD does so event by event, with the same ε.
+/// Disks collide event by event with the ε that MD's force law gives to a pair, and to a disk at a wall.
 #[test]
-fn flow_the_law_of_md_gives_the_restitution_of_the_events() {
+fn shaken_disks_have_the_restitution_of_mds_force_law() {
     let layer = Disks { c_dis: 0.0, ..carom_host::figure::waves::flow::LAYER };
     assert_eq!(layer.restitution(), [1.0, 1.0]);
     // ε of a damped oscillator until its force vanishes, here by its closed form.

@@ -2,6 +2,7 @@
 
 mod advance;
 mod asked;
+mod calendar;
 mod clusters;
 mod conservation;
 mod contact;
