@@ -31,7 +31,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return self.change_gravity(gravity);
         }
         self.set_clocks_back(self.clock.now);
-        self.progress.at_once = 0;
+        self.progress.at_once = [0; 2];
         let before = *self.domain.gravity();
         self.domain.set_gravity(gravity);
         self.parameters.min_hop_time = min_hop_time(&gravity, self.particles.largest_radius);
@@ -49,7 +49,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             self.move_clusters(self.clock.now)?;
         }
         self.set_clocks_back(self.clock.now);
-        self.progress.at_once = 0;
+        self.progress.at_once = [0; 2];
         self.domain.set_gravity(gravity);
         self.parameters.settings.take_gravity(&gravity, S::zero());
         let (now, change) = (self.clock.now, norm(&(gravity - self.parameters.settled_gravity)));

@@ -50,11 +50,11 @@ pub(super) struct Progress {
     pub since_epoch: u32,
     /// Events since then that only renewed a prediction.
     pub bookkeeping: u32,
-    /// Events since time was last seen to have moved on visibly.
-    pub at_once: u32,
+    /// Events since time was last seen to have moved on visibly, and such as only renewed a prediction.
+    pub at_once: [u32; 2],
 }
 
 impl Progress {
     /// Nothing has happened yet.
-    pub const START: Self = Self { since_epoch: 0, bookkeeping: 0, at_once: 0 };
+    pub const START: Self = Self { since_epoch: 0, bookkeeping: 0, at_once: [0; 2] };
 }

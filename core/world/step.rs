@@ -97,33 +97,36 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// The event's time becomes the present, which never goes back.
     fn move_clock(&mut self, grain: usize, event: &ScheduledEvent<S>) -> Result<(), Error> {
         self.clock.move_to(event.time);
-        self.progress.at_once = self.progress.at_once.saturating_add(1);
-        if self.progress.at_once < EVENTS_AT_ONCE {
+        let [events, renewals] = &mut self.progress.at_once;
+        let is_renewal = event.kind.is_bookkeeping();
+        let count = if is_renewal { renewals } else { events };
+        *count = count.saturating_add(1);
+        if *count < EVENTS_AT_ONCE {
             return Ok(());
         }
-        self.look_for_jam().map_or(Ok(()), |(at, events)| {
-            Err(Error::Stuck { grain, with: event.with(), at, events })
-        })
+        let count = *count;
+        self.look_for_jam(count, is_renewal)
+            .map_or(Ok(()), |at| Err(Error::Stuck { grain, with: event.with(), at, events: count }))
     }
 
     /// Time must move on visibly, by 2^−48 of the world's age, before the grains concerned have too many events: when
-    /// and after how many it did not. Looks seldom, as all bodies are read.
+    /// it did not. Predictions may be renewed by all grains at once. Looks seldom, as all bodies are read.
     #[inline(never)]
-    fn look_for_jam(&mut self) -> Option<(Instant, u32)> {
-        let (at, events) = (self.now(), self.progress.at_once);
+    fn look_for_jam(&mut self, events: u32, is_renewal: bool) -> Option<Instant> {
+        let at = self.now();
         if !(events.is_power_of_two() || events == u32::MAX) {
             return None;
         }
         let since = self.clock.last_visible;
         if at.is_visibly_after(self.clock.instant_of(since)) {
-            (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
+            (self.clock.last_visible, self.progress.at_once) = (self.clock.now, [0; 2]);
             return None;
         }
         // When its last collision was, or a little after its contact began.
-        let touched = |body: &&Body<S, D>| body.reference_time >= since;
+        let touched = |body: &&Body<S, D>| is_renewal || body.reference_time >= since;
         let concerned = self.particles.bodies.iter().filter(touched).count();
         let many = events / EVENTS_AT_ONCE;
-        (events == u32::MAX || concerned <= many as usize).then_some((at, events))
+        (events == u32::MAX || concerned <= many as usize).then_some(at)
     }
 
     /// What the event does to the bodies, and what it leaves to be done.

@@ -25,7 +25,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     ) -> Result<Event<S>, Error> {
         let grain = self.clusters.first().unwrap_or(0);
         self.clock.move_to(to);
-        (self.clock.last_visible, self.progress.at_once) = (self.clock.now, 0);
+        (self.clock.last_visible, self.progress.at_once) = (self.clock.now, [0; 2]);
         let (at, kind) = (self.now(), EventKind::Step);
         let mut event = Event { at, grain, partner: Partner::NOTHING, kind, outcome: None };
         observer.before(&event, self.view());

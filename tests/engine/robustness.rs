@@ -237,3 +237,23 @@ fn a_box_too_large_to_cross_is_refused() {
         .map(drop);
     assert!(started.unwrap_err().to_string().contains("gravity"));
 }
+
+/// A row of grains that fly abreast, all through faces of cells at the same instants, and none of which ever collides.
+/// Found with a million grains on a lattice, whose faces were the cells': nobody is stuck.
+#[test]
+fn thousands_may_come_into_other_cells_at_one_instant() {
+    let count = 9_000;
+    let mut memory = HeapMemory::<f64, 2>::with_capacity(count);
+    let abreast = (0..count)
+        .map(|i| Grain::with_mass(0.5, 1.0).at([1.0, 3.0 * i as f64 + 1.0]).moving([1.0, 0.0]));
+    let mut world = World::builder(&mut memory)
+        .periodic([[0.0, 48.0], [0.0, 3.0 * count as f64]])
+        .rule(ELASTIC)
+        .grains(abreast)
+        .unwrap()
+        .start()
+        .unwrap();
+    world.advance_to(48.0).unwrap();
+    assert!(world.statistics().cell_crossings >= 4 * count as u64);
+    assert_eq!(world.statistics().collisions, 0);
+}
