@@ -9,7 +9,7 @@
 use crate::detect::ScheduledEvent;
 use crate::scalar::Scalar;
 
-/// With fewer grains the tree is as fast: measured.
+/// With fewer grains the tree has at most four levels below its root, and a calendar little to save.
 const FEWEST: usize = 32;
 
 /// So many steps an event may take before the calendar is called a bad one; two or three are usual.
