@@ -7,6 +7,8 @@ use carom_host::figure::gases::{cooling, free_time, theory::Theory};
 use carom_host::figure::hard::Plan;
 use carom_host::figure::mp13::gas::{Reading, SoftGas};
 use carom_host::figure::rest::Heap;
+use carom_host::figure::waves::faraday::{self, Layer};
+use carom_host::figure::waves::modes::Mode;
 use carom_host::figure::waves::shaken_disks::Disks;
 use carom_host::figure::{self, Made, Options};
 
@@ -206,4 +208,44 @@ fn shaken_disks_have_the_restitution_of_mds_force_law() {
         let tau = (std::f64::consts::PI - (c * omega / (1.0 - c * c / 2.0)).atan()) / omega;
         assert!((restitution - (-c * tau / 2.0).exp()).abs() < 1e-9, "{restitution} at {c}");
     }
+}
+
+/// λ/h of Umbanhowar and Swinney (2000) at two frequencies, by hand.
+#[test]
+fn faraday_the_fit_is_the_paper_s() {
+    assert!((faraday::wavelength(1.0) - 2.1).abs() < 1e-12);
+    assert!((faraday::wavelength(0.4174) - 4.485).abs() < 2e-3);
+}
+
+/// A short box, few cycles: a wave that changes sign in every cycle.
+#[test]
+fn faraday_waves_change_sign_in_every_cycle() {
+    let layer = Layer { size: [21.0, 4.5], agitation: 2.6, seed: 1 };
+    let waves = faraday::waves(&layer.run([9, 13]).unwrap().means);
+    assert!(waves.likeness < -0.9 && waves.amplitude > 0.8, "{waves:?}");
+}
+
+/// The figure's claims, below and above the onset, in a box in which one number of waves is within 20 % of the fit.
+#[test]
+#[ignore = "two minutes: cargo test --release -p carom-host --test figures -- --ignored"]
+fn faraday_waves_stand_above_the_onset_only() {
+    let layer = |agitation| Layer { size: [64.0, 5.0], agitation, seed: 1 };
+    let [flat, high] =
+        [2.2, 2.5].map(|agitation| faraday::waves(&layer(agitation).run([24, 32]).unwrap().means));
+    assert!(flat.amplitude < 0.4, "{flat:?}");
+    assert!(high.amplitude > 1.0 && high.likeness < -0.95, "{high:?}");
+    let wavelength = 64.0 / high.number as f64 / faraday::FILLING;
+    let off = wavelength / faraday::wavelength(faraday::FREQUENCY) - 1.0;
+    assert!(off.abs() < 0.2, "{high:?}");
+}
+
+/// The wave of a surface that is one.
+#[test]
+fn faraday_a_mode_is_found_with_its_sign() {
+    let wave = |sign: f64| -> Vec<f64> {
+        (0..40).map(|k| 5.0 + sign * 1.5 * (k as f64 * 0.3 * std::f64::consts::PI).cos()).collect()
+    };
+    let [a, b] = [1.0, -1.0].map(|sign| Mode::strongest(&wave(sign)));
+    assert_eq!(a.number, 6);
+    assert!((a.amplitude() - 1.5).abs() < 1e-12 && (a.likeness(&b) + 1.0).abs() < 1e-12);
 }

@@ -118,6 +118,11 @@ const OURS: &[Entry] = &[
         gases::free_time::make
     ),
     entry!(
+        "faraday",
+        "waves on a shaken layer of spheres, against Umbanhowar and Swinney",
+        waves::faraday::make
+    ),
+    entry!(
         "flow",
         "how grains flow in a shaken layer of disks, by MD and event by event",
         waves::flow::make

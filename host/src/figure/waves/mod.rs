@@ -1,4 +1,6 @@
-//! What does a shaken layer do? Waves that change sign in every cycle, in two dimensions; of the papers' outlook.
+//! What does a shaken layer do? Waves that change sign in every cycle, in three dimensions and in two; of the papers' outlook.
 
+pub mod faraday;
 pub mod flow;
+pub mod modes;
 pub mod shaken_disks;
