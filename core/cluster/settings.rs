@@ -209,7 +209,9 @@ impl<S: Scalar> Settings<S> {
             (Some(soft), Some(hard)) => soft.min(hard),
             (soft, hard) => soft.or(hard).unwrap_or(S::one()),
         };
-        step.max(S::RESOLUTION * S::from_f32(4.0))
+        // Also where ω is beyond the range of a number: steps that never end would let grains fly under a contact's force.
+        let shortest = S::RESOLUTION * S::from_f32(4.0);
+        if step.is_finite() { step.max(shortest) } else { shortest }
     }
 }
 

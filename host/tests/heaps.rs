@@ -45,3 +45,12 @@ fn slow_grains_do_not_drift_into_each_other() {
         assert!(report.deepest < 0.02, "{number:?}: {}", report.deepest);
     }
 }
+
+/// A light grain under a column, pressed so deep into a hard floor that ω of the stand-in and the steps in a contact
+/// have no product in 16 binary digits: the step never ended, and grains flew under the force of a contact.
+#[test]
+fn a_step_ends_even_if_its_contact_is_too_short_for_a_number() {
+    let (_, report) = heaps::run(1652, 30, Number::I16f16);
+    assert!(!matches!(report.ended, Ended::Broken(_)), "{:?}", report.ended);
+    assert!(report.deepest < 0.1, "{}", report.deepest);
+}
