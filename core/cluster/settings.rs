@@ -203,15 +203,15 @@ impl<S: Scalar> Settings<S> {
             self.has_instantaneous && (self.gravity > S::zero() || self.contact_time.is_some());
         let hard = stand_in.then(|| {
             let frequency = self.frequency(self.smallest[0]).max(frequency);
-            S::from_f64(core::f64::consts::PI) / (frequency * self.steps)
+            let (pi, product) = (S::from_f64(core::f64::consts::PI), frequency * self.steps);
+            // A number of few digits may not hold the product: a step that never ends would follow.
+            if product.is_finite() { pi / product } else { pi / self.steps / frequency }
         });
         let step = match (soft, hard) {
             (Some(soft), Some(hard)) => soft.min(hard),
             (soft, hard) => soft.or(hard).unwrap_or(S::one()),
         };
-        // Also where ω is beyond the range of a number: steps that never end would let grains fly under a contact's force.
-        let shortest = S::RESOLUTION * S::from_f32(4.0);
-        if step.is_finite() { step.max(shortest) } else { shortest }
+        step.max(S::RESOLUTION * S::from_f32(4.0))
     }
 }
 

@@ -70,7 +70,7 @@ impl Instant {
         let product = (self.ticks() >> slow).wrapping_mul(mantissa);
         let shift = exponent.unsigned_abs() - slow;
         if exponent < 0 {
-            (product >> shift) as u64
+            (product >> shift.min(127)) as u64
         } else {
             product.checked_shl(shift).unwrap_or(0) as u64
         }

@@ -313,3 +313,29 @@ fn thrown(enduring: Enduring, depth: f64) {
         world.statistics().cell_crossings > 1_000 && world.statistics().plane_collisions > 1_000
     );
 }
+
+/// Found by fuzzing: the turns of so slow a plate were shifted by more places than a number has.
+#[test]
+fn a_plate_may_take_longer_for_a_turn_than_any_clock_counts() {
+    let height = |frequency: f64| {
+        let mut memory = Memory::<f64, 1, 1>::new();
+        let plate = Plane::new([1.0], 0.0, Surface::Rule).vibrating(Vibration::new(0.1, frequency));
+        let mut world = World::builder(&mut memory)
+            .gravity([-1.0])
+            .plane(plate)
+            .rule(HardSphere { restitution: 0.9 })
+            .grain(Grain::with_mass(0.5, 1.0).at([2.0]))
+            .unwrap()
+            .start()
+            .unwrap();
+        for frame in 1..=20 {
+            world.advance_to(0.1 * f64::from(frame)).unwrap();
+            world.set_gravity([-1.0 - 0.01 * f64::from(frame)]).unwrap();
+        }
+        world.grain(0).unwrap().position[0]
+    };
+    let still = height(1e-30);
+    for frequency in [1e-60, 1e-100, 1e-300] {
+        assert_eq!(height(frequency), still);
+    }
+}
