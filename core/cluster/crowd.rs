@@ -44,7 +44,7 @@ pub(crate) fn is_crowded<S: Scalar, const D: usize>(
         if parties.iter().take(n).any(|other| other.body.cell == body.cell) {
             continue;
         }
-        particles.cells.for_each_near(body.cell, |k| {
+        particles.cells.for_each_near(body.cell, body.radius, |k| {
             let is_third = parties.iter().all(|party| party.grain != k);
             crowded = crowded || is_third && parties.iter().any(|party| crowd.nears(party, k));
         });
@@ -87,6 +87,6 @@ impl<S: Scalar, const D: usize> Crowd<'_, S, D> {
         let gap = distance - party.body.radius - other.radius;
         let nears = S::dot(&apart, &(velocity - self.course.velocity)).divided_by(distance);
         let room = (party.speed + nears.max(S::zero()) + sinks) * self.course.duration;
-        gap < room.min(crowd_gap(self.particles.largest_radius))
+        gap < room.min(crowd_gap(party.body.radius.max(other.radius)))
     }
 }

@@ -88,7 +88,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> Forces<'_, '_, S, D, R> {
     fn touched(&self, i: usize, after: Option<usize>) -> Few {
         let mut some = Few::new();
         let Some(me) = self.particles.body(i) else { return some };
-        self.particles.cells.for_each_near(me.cell, |k| {
+        self.particles.cells.for_each_near(me.cell, me.radius, |k| {
             let Some(other) = self.particles.body(k) else { return };
             let counts = other.is_clustered() && k > i || other.is_asleep();
             if !counts || after.is_some_and(|after| k <= after) || k == i {

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::law::{Enduring, Impact, Rule};
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, WideProduct, norm};
-use crate::space::{Boundary, Plane, Surface};
+use crate::space::{Boundary, Plane, Sight, Surface};
 
 /// What a world was told of clusters, and what follows from its grains.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,13 +100,10 @@ impl<S: Scalar> Settings<S> {
         impacts.any(|impact| rule.force(&impact, S::zero()).is_some() == with_force)
     }
 
-    /// How far grains must be seen whose largest radius is this: no cell is narrower.
-    pub fn sight(&self, largest_radius: S) -> S {
-        let touching = largest_radius + largest_radius;
-        match self.enduring == Enduring::Integrated && self.has_forces {
-            true => touching + crowd_gap(largest_radius),
-            false => touching,
-        }
+    /// How far grains must be seen: no cell is narrower.
+    pub fn sight(&self) -> Sight {
+        let may_crowd = self.enduring == Enduring::Integrated && self.has_forces;
+        Sight { gap: if may_crowd { CROWD_GAP } else { 0.0 } }
     }
 
     /// Takes over gravity; without it, if there never was one, a speed from which slow is a sixteenth.
@@ -215,7 +212,11 @@ impl<S: Scalar> Settings<S> {
     }
 }
 
-/// Who is further off than this is no crowd, however fast it comes: it is not known in every grid.
-pub(super) fn crowd_gap<S: Scalar>(largest_radius: S) -> S {
-    largest_radius * S::half()
+/// Who is further off than this part of the larger radius of two is no crowd, however fast it comes: it is not known
+/// in every grid.
+const CROWD_GAP: f64 = 0.5;
+
+/// The same as a distance.
+pub(super) fn crowd_gap<S: Scalar>(larger_radius: S) -> S {
+    larger_radius * S::from_f64(CROWD_GAP)
 }

@@ -21,7 +21,7 @@ pub(super) fn may_sleep<S: Scalar, const D: usize>(
         return false;
     }
     let mut may = true;
-    particles.cells.for_each_near(body.cell, |k| {
+    particles.cells.for_each_near(body.cell, body.radius, |k| {
         let Some(other) = particles.body(k).filter(|other| k != i && !other.is_asleep()) else {
             return;
         };

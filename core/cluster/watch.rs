@@ -40,7 +40,7 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
     let may_collide =
         settings.is_rule_instantaneous && fast > settings.slow_speed(settings.smallest[0]);
     if !everyone || may_collide {
-        particles.cells.for_each_near(me.cell, |k| watch.pair(k, may_collide));
+        particles.cells.for_each_near(me.cell, me.radius, |k| watch.pair(k, may_collide));
     }
     if settings.has_instantaneous {
         watch.planes();

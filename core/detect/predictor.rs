@@ -22,8 +22,8 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
         return ScheduledEvent::NONE;
     };
     let mut first = ScheduledEvent::NONE;
-    let (at, filler) = (&predictor.at, predictor.filler());
-    particles.cells.batches(at, filler, &mut |batch| predictor.batch(&mut first, batch));
+    let (from, filler) = ((&predictor.at, predictor.me.radius), predictor.filler());
+    particles.cells.batches(from, filler, &mut |batch| predictor.batch(&mut first, batch));
     predictor.planes(&mut first);
     predictor.earliest(first)
 }
@@ -44,8 +44,8 @@ pub(crate) fn next_event_after_crossing<S: Scalar, const D: usize>(
     };
     let face = CellFace::from_code(crossing.face);
     let mut first = crossing.only_collision();
-    let (at, filler) = (&predictor.at, predictor.filler());
-    particles.cells.ahead(at, face, filler, &mut |batch| predictor.batch(&mut first, batch));
+    let (from, filler) = ((&predictor.at, predictor.me.radius), predictor.filler());
+    particles.cells.ahead(from, face, filler, &mut |batch| predictor.batch(&mut first, batch));
     if domain.boundary.planes().iter().any(|plane| plane.vibration.is_some()) {
         // The search for a plate goes no further than to the next cell.
         predictor.planes(&mut first);

@@ -16,7 +16,7 @@ pub(super) fn is_free<S: Scalar, const D: usize>(
     let cell = particles.cells.grid.as_ref().map_or(0, |grid| grid.locate(&inside));
     is_free_of_planes(domain, now, &me, (position, except)) && {
         let mut free = true;
-        particles.cells.for_each_near(cell, |k| {
+        particles.cells.for_each_near(cell, me.radius, |k| {
             let other = particles.body(k).filter(|_| k != grain && Partner::grain(k) != except);
             free &= other.is_none_or(|other| is_free_of(domain, now, &me, (position, other)));
         });

@@ -46,7 +46,7 @@ impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
     #[cfg_attr(target_pointer_width = "64", inline)]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub fn kick(&mut self, grain: usize, [position, velocity]: [Vector<S, D>; 2], in_a_row: bool) {
-        let (now, position) = (self.clock.now, self.domain.boundary.on_lattice(position));
+        let (now, position) = (self.clock.now, self.domain.boundary.to_lattice(position));
         self.particles.change(grain, |body| {
             (body.position, body.velocity) = (position, velocity);
             (body.clock, body.reference_time) = (now, now);

@@ -84,7 +84,7 @@ impl<S: Scalar, const D: usize> Crowd<S, D> {
         let (grain, body) = self.parties.get(place).map(|party| (party.grain, party.body))?;
         let mut near = heapless::Vec::<usize, MAX_BODIES>::new();
         let mut fits = true;
-        context.particles.cells.for_each_near(body.cell, |k| {
+        context.particles.cells.for_each_near(body.cell, body.radius, |k| {
             if k != grain && self.touches(context, (place, &body), k) {
                 fits &= near.push(k).is_ok();
             }

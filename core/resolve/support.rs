@@ -111,7 +111,7 @@ fn supports<S: Scalar, const D: usize>(
             let _ = supports.push(plane.normal);
         }
     }
-    context.particles.cells.for_each_near(body.cell, |k| {
+    context.particles.cells.for_each_near(body.cell, body.radius, |k| {
         let at_rest = |other: &&Body<S, D>| k != i && Some(k) != not && can_support(*other);
         if context.particles.body(k).filter(at_rest).is_none() {
             return;

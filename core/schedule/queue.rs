@@ -37,6 +37,11 @@ impl<'m, S: Scalar> EventQueue<'m, S> {
         queue
     }
 
+    /// Whether the calendar says who is next.
+    pub(crate) fn has_calendar(&self) -> bool {
+        self.calendar.is_open()
+    }
+
     /// The grain whose event is the earliest, if there are grains.
     #[inline]
     pub(crate) fn first(&mut self) -> Option<usize> {

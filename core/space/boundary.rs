@@ -165,7 +165,18 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
         component(&self.length, axis)
     }
 
-    /// A position on the lattice of the periodic axes, or a step from one to another.
+    /// A position on the lattice of the periodic axes.
+    ///
+    /// Where it lies beyond the box its image in the box is rounded: further out numbers are coarser, and the
+    /// images of a pair would not be at the same distance.
+    #[must_use]
+    #[cfg_attr(not(feature = "alloc"), inline(never))]
+    pub(crate) fn to_lattice(&self, x: Vector<S, D>) -> Vector<S, D> {
+        let inside = self.wrap(x);
+        self.on_lattice(inside) + (x - inside)
+    }
+
+    /// A step from one position on the lattice of the periodic axes to another; shorter than a box.
     #[must_use]
     #[inline]
     pub(crate) fn on_lattice(&self, x: Vector<S, D>) -> Vector<S, D> {

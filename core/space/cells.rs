@@ -1,7 +1,14 @@
 //! Who is near whom? Linked lists of grains in the cells of a grid, in borrowed memory; reads cells, writes lists.
 
 use super::grid::{CellBlock, CellFace, Grid, NOWHERE, Steps};
+#[cfg(feature = "alloc")]
+use super::levels::Levels;
+#[cfg(feature = "alloc")]
+use super::look_in_levels::From;
 use super::neighbours::{BATCH, END, MORE, NeighbourBatch, put};
+#[cfg(not(feature = "alloc"))]
+use super::one_level::Levels;
+use crate::particle::Body;
 use crate::scalar::Scalar;
 
 /// Before and after in the list of a grain's cell.
@@ -26,14 +33,19 @@ impl Default for Link {
 pub(crate) struct Cells<'m, S: Scalar, const D: usize> {
     /// None: all pairs are neighbours.
     pub grid: Option<Grid<S, D>>,
+    pub levels: Levels<D>,
     heads: &'m mut [u32],
     links: &'m mut [Link],
 }
 
 impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     /// Empty lists; `links` has one entry for each grain.
-    pub fn new(grid: Option<Grid<S, D>>, heads: &'m mut [u32], links: &'m mut [Link]) -> Self {
-        let mut cells = Self { grid: None, heads, links };
+    pub fn new(
+        (grid, levels): (Option<Grid<S, D>>, Levels<D>),
+        heads: &'m mut [u32],
+        links: &'m mut [Link],
+    ) -> Self {
+        let mut cells = Self { grid: None, levels, heads, links };
         cells.reset(grid);
         cells
     }
@@ -47,15 +59,27 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         fits
     }
 
+    /// Takes the levels that grains need over this grid; false if they do not fit.
+    pub fn choose_levels(&mut self, grid: &Grid<S, D>, bodies: &[Body<S, D>]) -> bool {
+        let levels = Levels::over(grid, bodies, self.levels.sight(), self.heads.len());
+        levels.map(|levels| self.levels = levels).is_some()
+    }
+
     /// How many cells there is room for.
     pub fn capacity(&self) -> usize {
         self.heads.len()
     }
 
-    /// Puts a grain into a cell's list.
+    /// The list of a grain of this radius in a cell.
+    #[inline]
+    pub fn list(&self, cell: u32, radius: S) -> u32 {
+        self.grid.as_ref().map_or(cell, |grid| self.levels.list(grid, cell, radius))
+    }
+
+    /// Puts a grain into a list.
     #[expect(clippy::cast_possible_truncation, reason = "the builder refuses more than MAX_GRAINS")]
-    pub fn insert(&mut self, grain: usize, cell: u32) {
-        let Some(head) = self.heads.get_mut(cell as usize) else { return };
+    pub fn insert(&mut self, grain: usize, list: u32) {
+        let Some(head) = self.heads.get_mut(list as usize) else { return };
         let next = *head & !MORE;
         *head = grain as u32 | if next == END { 0 } else { MORE };
         if let Some(link) = self.links.get_mut(next as usize) {
@@ -66,8 +90,8 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         }
     }
 
-    /// Takes a grain out of its cell's list.
-    pub fn remove(&mut self, grain: usize, cell: u32) {
+    /// Takes a grain out of its list.
+    pub fn remove(&mut self, grain: usize, list: u32) {
         let Some(Link { next, previous }) = self.links.get(grain).copied() else { return };
         if let Some(link) = self.links.get_mut(next as usize) {
             link.previous = previous;
@@ -75,16 +99,16 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         if let Some(link) = self.links.get_mut(previous as usize) {
             link.next = next;
         }
-        if let Some(head) = self.heads.get_mut(cell as usize) {
+        if let Some(head) = self.heads.get_mut(list as usize) {
             let first = if previous == END { next } else { *head & !MORE };
             let after = self.links.get(first as usize).map_or(END, |link| link.next);
             *head = first | if after == END { 0 } else { MORE };
         }
     }
 
-    /// Visits all grains in this cell and its neighbours; all grains, if there is no grid.
-    pub fn for_each_near(&self, cell: u32, mut visit: impl FnMut(usize)) {
-        self.batches(&self.coordinates(cell), END, &mut |batch: &NeighbourBatch| {
+    /// Visits all grains that one of this radius in this cell can see; all grains, if there is no grid.
+    pub fn for_each_near(&self, cell: u32, radius: S, mut visit: impl FnMut(usize)) {
+        self.batches((&self.coordinates(cell), radius), END, &mut |batch: &NeighbourBatch| {
             batch.all().iter().for_each(|&grain| visit(grain as usize));
         });
     }
@@ -97,10 +121,15 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
 
     /// The same for the cell with these numbers along the axes, in batches, filled up with a number of one's choice.
     #[inline]
-    pub fn batches(&self, at: &[u32; D], filler: u32, visit: &mut dyn FnMut(&NeighbourBatch)) {
-        match &self.grid {
-            None => everyone(self.links.len(), filler, visit),
-            Some(grid) => self.within(&grid.around(at), filler, visit),
+    pub fn batches(
+        &self,
+        (at, radius): (&[u32; D], S),
+        filler: u32,
+        visit: &mut dyn FnMut(&NeighbourBatch),
+    ) {
+        let Some(grid) = &self.grid else { return everyone(self.links.len(), filler, visit) };
+        if self.in_levels(grid, (at, radius, None), filler, visit) {
+            self.within(&grid.around(at), filler, visit);
         }
     }
 
@@ -108,13 +137,76 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     #[inline]
     pub fn ahead(
         &self,
-        at: &[u32; D],
+        (at, radius): (&[u32; D], S),
         face: CellFace,
         filler: u32,
         visit: &mut dyn FnMut(&NeighbourBatch),
     ) {
         let Some(grid) = &self.grid else { return };
-        self.within(&grid.ahead(at, face), filler, visit);
+        if self.in_levels(grid, (at, radius, Some(face)), filler, visit) {
+            self.within(&grid.ahead(at, face), filler, visit);
+        }
+    }
+
+    /// Visits those that are listed in wider cells; and all, where a large grain looks. Whether those in the cells
+    /// around are left.
+    #[cfg(feature = "alloc")]
+    #[inline(always)]
+    fn in_levels(
+        &self,
+        grid: &Grid<S, D>,
+        (at, radius, through): (&[u32; D], S, Option<CellFace>),
+        filler: u32,
+        visit: &mut dyn FnMut(&NeighbourBatch),
+    ) -> bool {
+        if self.levels.is_one() {
+            return true;
+        }
+        self.look(grid, &From { at: *at, radius: radius.to_f64(), through }, filler, visit);
+        self.levels.is_fine(radius)
+    }
+
+    /// Without levels those around are all.
+    #[cfg(not(feature = "alloc"))]
+    #[inline(always)]
+    fn in_levels(
+        &self,
+        _: &Grid<S, D>,
+        _: (&[u32; D], S, Option<CellFace>),
+        _: u32,
+        _: &mut dyn FnMut(&NeighbourBatch),
+    ) -> bool {
+        true
+    }
+
+    /// Visits the grains of all lists that a look into levels finds.
+    #[cfg(feature = "alloc")]
+    #[inline(never)]
+    fn look(
+        &self,
+        grid: &Grid<S, D>,
+        from: &From<D>,
+        filler: u32,
+        visit: &mut dyn FnMut(&NeighbourBatch),
+    ) {
+        let mut batch = NeighbourBatch::new(filler, false);
+        self.levels.look(grid, from, &mut |list, same_image| {
+            let head = self.heads.get(list as usize).copied().unwrap_or(END);
+            let mut grain = head & !MORE;
+            if grain != END && same_image != batch.same_image {
+                batch.flush(filler, visit);
+                batch.same_image = same_image;
+            }
+            while let Some(link) = self.links.get(grain as usize) {
+                if batch.count == BATCH {
+                    batch.flush(filler, visit);
+                }
+                put(&mut batch.grains, batch.count, grain);
+                batch.count += 1;
+                grain = link.next;
+            }
+        });
+        batch.flush(filler, visit);
     }
 
     /// Visits the grains of these cells.

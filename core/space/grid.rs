@@ -1,19 +1,15 @@
-//! Which cell is where? Cuts space into cells; reads the boundary and the density at the start, writes nothing.
+//! Which cell is where? Reads positions and the numbers of cells, writes nothing.
 //!
 //! Cells are at least as wide as the largest grain's diameter, so only grains in the same or a neighbouring cell
-//! can touch. The outermost cells of an axis that is not periodic reach to infinity, so the grid is
+//! can touch (where sizes differ, see `levels`). The outermost cells of an axis that is not periodic reach to infinity, so the grid is
 //! right for grains anywhere. A periodic axis needs four cells, so that the nearest image of a
 //! neighbour is the one that can touch; where there are fewer, all pairs are neighbours.
 
 use super::boundary::Boundary;
-use crate::particle::Body;
 use crate::scalar::{Scalar, Vector};
 
-/// The width of a cell, if grains are far from each other, in units of the space a grain has: measured.
-const CELL_WIDTH: f64 = 0.8;
-
 /// For more axes there are no grids.
-const MAX_AXES: usize = 3;
+pub(super) const MAX_AXES: usize = 3;
 
 /// From here on there are no cells: sums of a few such numbers do not overflow.
 pub(super) const NOWHERE: u32 = 1 << 28;
@@ -32,12 +28,12 @@ pub(super) struct CellBlock {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct GridAxis<S> {
-    low: S,
-    width: S,
-    count: u32,
-    periodic: bool,
+    pub(super) low: S,
+    pub(super) width: S,
+    pub(super) count: u32,
+    pub(super) periodic: bool,
     /// The length of a periodic axis; else zero.
-    length: S,
+    pub(super) length: S,
 }
 
 /// The cells along all axes.
@@ -68,38 +64,16 @@ impl CellFace {
 }
 
 impl<S: Scalar, const D: usize> Grid<S, D> {
-    /// The grid with at least half a grain a cell, cells no narrower than `reach`, at most `most` of them;
-    /// none if that leaves fewer than four along a periodic axis.
-    pub(crate) fn choose(
-        boundary: &Boundary<S, D>,
-        bodies: &[Body<S, D>],
-        reach: S,
-        most: usize,
-    ) -> Option<Self> {
-        let sides: [[S; 2]; D] = core::array::from_fn(|axis| extent(boundary, bodies, axis));
-        let volume: f64 = sides.iter().map(|[low, high]| (*high - *low).to_f64()).product();
-        let dense = libm::pow(volume / bodies.len().max(1) as f64, 1.0 / D as f64);
-        let mut width = (dense * CELL_WIDTH).max(1.001 * reach.to_f64());
-        if !(width > 0.0 && width.is_finite()) || D > MAX_AXES {
-            return None;
-        }
-        // Each round makes cells an eighth wider; 500 of them span any range of widths.
-        for _ in 0..500 {
-            let along = |axis| {
-                let side = sides.get(axis).copied().unwrap_or_default();
-                along(side, boundary.periodic(axis).map(|p| p.length), width)
-            };
-            let axes: [GridAxis<S>; D] = core::array::from_fn(along);
-            let cells: f64 = axes.iter().map(|l| f64::from(l.count)).product();
-            if axes.iter().any(|along| along.periodic && along.count < 4) {
-                return None;
-            }
-            if cells <= most.min(NOWHERE as usize) as f64 {
-                return (cells >= 8.0).then(|| Self { axes: Vector::from(axes) });
-            }
-            width *= 1.125;
-        }
-        None
+    /// The grid with cells along these axes.
+    pub(super) fn new(axes: [GridAxis<S>; D]) -> Self {
+        Self { axes: Vector::from(axes) }
+    }
+
+    /// The cells along each axis.
+    #[inline]
+    pub(super) fn axes(&self) -> &[GridAxis<S>; D] {
+        let [axes] = &self.axes.data.0;
+        axes
     }
 
     /// Whether every axis can be counted with: a grid may have been read from a file.
@@ -261,37 +235,5 @@ impl<S: Scalar> GridAxis<S> {
 
     fn above(&self, c: u32) -> Option<u32> {
         if c + 1 < self.count { Some(c + 1) } else { self.periodic.then_some(0) }
-    }
-}
-
-/// From where to where the grains can be along an axis: the box, or where they are at the start.
-fn extent<S: Scalar, const D: usize>(
-    boundary: &Boundary<S, D>,
-    bodies: &[Body<S, D>],
-    axis: usize,
-) -> [S; 2] {
-    if let Some(p) = boundary.periodic(axis) {
-        return [p.low, p.low + p.length];
-    }
-    let (mut low, mut high) = (S::NEVER, -S::NEVER);
-    for body in bodies {
-        if let Some(&x) = body.position.get(axis) {
-            low = low.min(x - body.radius);
-            high = high.max(x + body.radius);
-        }
-    }
-    boundary.between_planes(axis, [low, high])
-}
-
-fn along<S: Scalar>([low, high]: [S; 2], periodic: Option<S>, width: f64) -> GridAxis<S> {
-    let length = periodic.unwrap_or(high - low).to_f64();
-    let count = ((length / width) as u32).clamp(1, 1 << 20);
-    let width = S::from_f64(length / f64::from(count));
-    GridAxis {
-        low,
-        width,
-        count,
-        periodic: periodic.is_some(),
-        length: periodic.unwrap_or(S::zero()),
     }
 }

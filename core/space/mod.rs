@@ -2,12 +2,22 @@
 
 mod boundary;
 mod cells;
+mod choose_grid;
+#[cfg(feature = "alloc")]
+mod choose_levels;
 mod domain;
 pub(crate) mod flight;
 mod grid;
+#[cfg(feature = "alloc")]
+mod levels;
+#[cfg(feature = "alloc")]
+mod look_in_levels;
 mod neighbours;
+#[cfg(not(feature = "alloc"))]
+mod one_level;
 mod particles;
 mod plane;
+mod sight;
 
 pub use boundary::{Boundary, MAX_PLANES, PeriodicAxis};
 pub use cells::Link;
@@ -15,7 +25,14 @@ pub use plane::{Plane, Surface, Vibration};
 
 pub(crate) use boundary::SavedBoundary;
 pub(crate) use cells::Cells;
+#[cfg(feature = "alloc")]
+pub(crate) use choose_levels::choose_cells;
 pub(crate) use domain::Domain;
 pub(crate) use grid::{CellFace, Grid};
+#[cfg(feature = "alloc")]
+pub(crate) use levels::Levels;
 pub(crate) use neighbours::{BATCH, NeighbourBatch};
+#[cfg(not(feature = "alloc"))]
+pub(crate) use one_level::{Levels, choose_cells};
 pub(crate) use particles::{Particles, largest_radius};
+pub(crate) use sight::Sight;

@@ -57,7 +57,7 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
 
     /// Writes a body whose velocity changed: events predicted for it are void.
     pub fn replace(&mut self, boundary: &Boundary<'_, S, D>, grain: usize, mut body: Body<S, D>) {
-        body.position = boundary.on_lattice(body.position);
+        body.position = boundary.to_lattice(body.position);
         self.put(grain, body);
     }
 
@@ -82,8 +82,8 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
         body.position = boundary.wrap(body.position);
         let cell = self.cells.grid.as_ref().map(|grid| grid.locate(&body.position));
         if let Some(cell) = cell.filter(|cell| *cell != body.cell) {
-            self.cells.remove(grain, body.cell);
-            self.cells.insert(grain, cell);
+            let lists = [body.cell, cell].map(|cell| self.cells.list(cell, body.radius));
+            self.relist(grain, lists);
             body.cell = cell;
         }
         self.replace(boundary, grain, body);
@@ -96,12 +96,22 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
         let next = self.cells.grid.as_ref().and_then(|grid| grid.across(from, face));
         let Some((cell, turns)) = next else { return };
         body.cell = cell;
+        let radius = body.radius;
         let length = boundary.periodic(face.axis).map_or(S::zero(), |p| p.length);
         if let Some(x) = body.position.get_mut(face.axis).filter(|_| turns != S::zero()) {
             *x += turns * length;
         }
-        self.cells.remove(grain, from);
-        self.cells.insert(grain, cell);
+        let lists = [from, cell].map(|cell| self.cells.list(cell, radius));
+        self.relist(grain, lists);
+    }
+
+    /// Takes a grain from one list into another.
+    #[inline]
+    fn relist(&mut self, grain: usize, [from, to]: [u32; 2]) {
+        if from != to {
+            self.cells.remove(grain, from);
+            self.cells.insert(grain, to);
+        }
     }
 
     /// Without cells: a grain that has flown far is brought back into the periodic box.
@@ -118,7 +128,8 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
         for (i, body) in self.bodies.iter_mut().enumerate() {
             if let Some(grid) = &self.cells.grid {
                 body.cell = grid.locate(&body.position);
-                self.cells.insert(i, body.cell);
+                let list = self.cells.list(body.cell, body.radius);
+                self.cells.insert(i, list);
             }
         }
     }
@@ -133,8 +144,7 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
         domain: &Domain<'_, S, D>,
         now: S,
     ) -> Result<(), Error> {
-        let reach = self.largest_radius + self.largest_radius;
-        let fits = grid.as_ref().is_none_or(|grid| grid.fits(&domain.boundary, reach));
+        let fits = grid.as_ref().is_none_or(|grid| self.fits(domain, grid));
         if !(fits && self.cells.reset(grid)) {
             let knob = "the saved cells do not fit the box or the heads of the memory, which";
             return Err(Error::Full { knob, capacity: self.cells.capacity() });
@@ -146,10 +156,22 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
                 return Err(Error::input(Subject::Grain(i), "cell", f64::from(body.cell), wanted));
             }
             if grid.is_some() {
-                self.cells.insert(i, body.cell);
+                let list = self.cells.list(body.cell, body.radius);
+                self.cells.insert(i, list);
             }
         }
         Ok(())
+    }
+}
+
+impl<S: Scalar, const D: usize> Particles<'_, S, D> {
+    /// Whether these cells are for this box and these grains; then with the levels that they need.
+    fn fits(&mut self, domain: &Domain<'_, S, D>, grid: &Grid<S, D>) -> bool {
+        if !self.cells.choose_levels(grid, self.bodies) {
+            return false;
+        }
+        let radius = self.cells.levels.finest(self.largest_radius);
+        grid.fits(&domain.boundary, radius + radius)
     }
 }
 

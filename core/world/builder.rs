@@ -13,7 +13,7 @@ use crate::resolve::{Parameters, Release, min_hop_time};
 use crate::scalar::{Clock, Instant, Scalar, Vector};
 use crate::schedule::EventQueue;
 use crate::space::{
-    Boundary, Cells, Domain, Grid, MAX_PLANES, Particles, PeriodicAxis, Plane, Surface,
+    Boundary, Cells, Domain, MAX_PLANES, Particles, PeriodicAxis, Plane, Surface, choose_cells,
     largest_radius,
 };
 
@@ -271,7 +271,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         let largest_radius = largest_radius(bodies);
         check_input::space(&boundary, &self.gravity, largest_radius)?;
         for (i, body) in bodies.iter_mut().enumerate() {
-            body.position = boundary.on_lattice(boundary.wrap_from_far(body.position));
+            body.position = boundary.to_lattice(boundary.wrap_from_far(body.position));
             check_input::inside(&boundary, i, body)?;
         }
         check_scales::scales(&boundary, &self.gravity, bodies)?;
@@ -280,11 +280,10 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         if settings.is_integrated(&self.rule) {
             settings.check_contact_time(&self.gravity)?;
         }
-        let sight = settings.sight(largest_radius);
-        let grid = Grid::choose(&boundary, bodies, sight, heads.len());
+        let cells = choose_cells(&boundary, bodies, settings.sight(), heads.len());
         let min_hop_time = min_hop_time(&self.gravity, largest_radius);
         Ok(World {
-            particles: Particles::new(bodies, accelerations, Cells::new(grid, heads, links)),
+            particles: Particles::new(bodies, accelerations, Cells::new(cells, heads, links)),
             domain: Domain::new(boundary, self.gravity),
             clock: Clock::start(),
             parameters: Parameters {

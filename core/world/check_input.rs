@@ -124,7 +124,7 @@ pub(super) fn overlaps<S: Scalar, const D: usize>(
         ends.fold(particles.largest_radius, |far, (low, high)| far.max(low.abs()).max(high.abs()));
     for (a, body) in particles.bodies.iter().enumerate() {
         let mut checked = Ok(());
-        particles.cells.for_each_near(body.cell, |b| {
+        particles.cells.for_each_near(body.cell, body.radius, |b| {
             if let Some(other) = particles.body(b).filter(|_| b < a && checked.is_ok()) {
                 let apart = domain.separation(body, other);
                 let gap = norm(&apart) - (body.radius + other.radius);

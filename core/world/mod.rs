@@ -9,6 +9,7 @@ mod digest;
 mod gravity;
 mod observe;
 mod predictions;
+mod searches;
 mod snapshot;
 mod state;
 mod statistics;
@@ -21,6 +22,7 @@ mod view;
 
 pub use builder::{NoRule, WorldBuilder};
 pub use observe::{Event, Observer};
+pub use searches::Searches;
 pub use snapshot::Snapshot;
 pub use state::World;
 pub use statistics::Statistics;

@@ -163,8 +163,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         for &grain in &effects.woken {
             let (particles, queue) = (&self.particles, &mut self.queue);
             let (domain, now) = (&self.domain, self.clock.now);
-            let cell = particles.body(grain).map_or(0, |body| body.cell);
-            particles.cells.for_each_near(cell, |k| {
+            let Some(body) = particles.body(grain) else { continue };
+            particles.cells.for_each_near(body.cell, body.radius, |k| {
                 if resolve::lies_on(particles, domain, (now, &self.parameters), [k, grain]) {
                     queue.set(k, ScheduledEvent::alone(now, EventKind::SupportCheck));
                 }

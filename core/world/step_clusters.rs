@@ -72,9 +72,11 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
 
     /// A grain that fell asleep looks for nothing any more: free ones near it look for it.
     fn predict_free_near(&mut self, grain: usize) {
-        let Some(cell) = self.particles.body(grain).map(|body| body.cell) else { return };
+        let Some(around) = self.particles.body(grain).map(|body| (body.cell, body.radius)) else {
+            return;
+        };
         let mut after = None;
-        while let Some(k) = self.next_free_near(cell, after) {
+        while let Some(k) = self.next_free_near(around, after) {
             let event = self.predict(k);
             self.queue.set(k, event);
             after = Some(k);
@@ -82,9 +84,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     }
 
     /// The free grain near this cell with the next number.
-    fn next_free_near(&self, cell: u32, after: Option<usize>) -> Option<usize> {
+    fn next_free_near(&self, (cell, radius): (u32, S), after: Option<usize>) -> Option<usize> {
         let mut next = None;
-        self.particles.cells.for_each_near(cell, |k| {
+        self.particles.cells.for_each_near(cell, radius, |k| {
             let is_free = |body: &Body<S, D>| !body.is_clustered() && !body.is_asleep();
             let counts = after.is_none_or(|after| k > after) && next.is_none_or(|next| k < next);
             if counts && self.particles.body(k).is_some_and(is_free) {

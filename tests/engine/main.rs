@@ -24,6 +24,7 @@ mod robustness;
 mod scales;
 mod serialised;
 mod simultaneous;
+mod sizes;
 mod snapshot;
 mod steps;
 mod symmetry;

@@ -1,0 +1,95 @@
+//! How wide are the cells? Reads the boundary, the grains' density and their reach at the start; writes nothing, returns a grid.
+
+use super::boundary::Boundary;
+use super::grid::{Grid, GridAxis, MAX_AXES, NOWHERE};
+use crate::particle::Body;
+use crate::scalar::Scalar;
+
+/// The width of a cell, if grains are far from each other, in units of the space a grain has: measured.
+const CELL_WIDTH: f64 = 0.8;
+
+/// Cells are wider by this than grains can see: a grain that rounding puts beside its cell is seen, too.
+pub(super) const SLACK: f64 = 1.001;
+
+/// The grid with at least half a grain a cell, cells no narrower than `reach`, at most `most` of them;
+/// none if that leaves fewer than four along a periodic axis.
+pub(super) fn choose<S: Scalar, const D: usize>(
+    boundary: &Boundary<'_, S, D>,
+    bodies: &[Body<S, D>],
+    reach: f64,
+    most: usize,
+) -> Option<Grid<S, D>> {
+    with_width(boundary, bodies, (SLACK * reach).max(dense_width(boundary, bodies)), most)
+}
+
+/// The width of cells for grains that are points.
+pub(super) fn dense_width<S: Scalar, const D: usize>(
+    boundary: &Boundary<'_, S, D>,
+    bodies: &[Body<S, D>],
+) -> f64 {
+    let sides: [[S; 2]; D] = core::array::from_fn(|axis| extent(boundary, bodies, axis));
+    let volume: f64 = sides.iter().map(|[low, high]| (*high - *low).to_f64()).product();
+    CELL_WIDTH * libm::pow(volume / bodies.len().max(1) as f64, 1.0 / D as f64)
+}
+
+/// The grid whose cells have this width at least, at most `most` of them.
+pub(super) fn with_width<S: Scalar, const D: usize>(
+    boundary: &Boundary<'_, S, D>,
+    bodies: &[Body<S, D>],
+    mut width: f64,
+    most: usize,
+) -> Option<Grid<S, D>> {
+    if !(width > 0.0 && width.is_finite()) || D > MAX_AXES {
+        return None;
+    }
+    let sides: [[S; 2]; D] = core::array::from_fn(|axis| extent(boundary, bodies, axis));
+    // Each round makes cells an eighth wider; 500 of them span any range of widths.
+    for _ in 0..500 {
+        let along = |axis| {
+            let side = sides.get(axis).copied().unwrap_or_default();
+            along(side, boundary.periodic(axis).map(|p| p.length), width)
+        };
+        let axes: [GridAxis<S>; D] = core::array::from_fn(along);
+        let cells: f64 = axes.iter().map(|l| f64::from(l.count)).product();
+        if axes.iter().any(|along| along.periodic && along.count < 4) {
+            return None;
+        }
+        if cells <= most.min(NOWHERE as usize) as f64 {
+            return (cells >= 8.0).then(|| Grid::new(axes));
+        }
+        width *= 1.125;
+    }
+    None
+}
+
+/// From where to where the grains can be along an axis: the box, or where they are at the start.
+fn extent<S: Scalar, const D: usize>(
+    boundary: &Boundary<'_, S, D>,
+    bodies: &[Body<S, D>],
+    axis: usize,
+) -> [S; 2] {
+    if let Some(p) = boundary.periodic(axis) {
+        return [p.low, p.low + p.length];
+    }
+    let (mut low, mut high) = (S::NEVER, -S::NEVER);
+    for body in bodies {
+        if let Some(&x) = body.position.get(axis) {
+            low = low.min(x - body.radius);
+            high = high.max(x + body.radius);
+        }
+    }
+    boundary.between_planes(axis, [low, high])
+}
+
+fn along<S: Scalar>([low, high]: [S; 2], periodic: Option<S>, width: f64) -> GridAxis<S> {
+    let length = periodic.unwrap_or(high - low).to_f64();
+    let count = ((length / width) as u32).clamp(1, 1 << 20);
+    let width = S::from_f64(length / f64::from(count));
+    GridAxis {
+        low,
+        width,
+        count,
+        periodic: periodic.is_some(),
+        length: periodic.unwrap_or(S::zero()),
+    }
+}
