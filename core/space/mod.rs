@@ -29,10 +29,8 @@ pub(crate) use cells::Cells;
 pub(crate) use choose_levels::choose_cells;
 pub(crate) use domain::Domain;
 pub(crate) use grid::{CellFace, Grid};
-#[cfg(feature = "alloc")]
-pub(crate) use levels::Levels;
 pub(crate) use neighbours::{BATCH, NeighbourBatch};
 #[cfg(not(feature = "alloc"))]
-pub(crate) use one_level::{Levels, choose_cells};
+pub(crate) use one_level::choose_cells;
 pub(crate) use particles::{Particles, largest_radius};
 pub(crate) use sight::Sight;

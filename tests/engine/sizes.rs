@@ -121,7 +121,7 @@ fn the_same_holds_for_soft_grains_and_for_many_sizes() {
     let elastic = Soft::linear_dashpot(elastic_spring(), Outside::HardSphere);
     same(&scene::<f64, 2>(20.0, &sizes, PERIODIC), elastic, 10_000, 4);
     let damped = Soft::linear_dashpot(damped_spring(), Outside::HardSphere);
-    same(&scene::<f64, 3>(8.0, &sizes[1..], PERIODIC), damped, 5_000, 3);
+    same(&scene::<f64, 3>(10.0, &sizes[1..], PERIODIC), damped, 5_000, 2);
 }
 
 /// Between walls, under gravity, until they lie: clusters and sleep, too.
