@@ -22,17 +22,15 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
     ///
     /// ```
     /// use carom::{Grain, HeapMemory, World, law::HardSphere};
-    /// let site = |i: u32, by| [f64::from(i % 10), f64::from(i / 10 % 10), f64::from(i / 100)].map(|x| x + by);
-    /// let small = (0..1000).map(|i| Grain::with_mass(0.05, 1.0).at(site(i, 0.0)));
-    /// let large = (0..30).map(|i| Grain::with_mass(0.5, 1000.0).at(site(3 * i, 0.5)));
-    /// let mut memory = HeapMemory::<f64, 3>::with_capacity(1030);
+    /// let site = |i: u32| [i % 10, i / 10 % 10, i / 100].map(f64::from);
+    /// let mut memory = HeapMemory::<f64, 3>::with_capacity(1000);
     /// let world = World::builder(&mut memory)
     ///     .periodic([[0.0, 10.0]; 3])
     ///     .rule(HardSphere { restitution: 1.0 })
-    ///     .grains(small)?
-    ///     .grains(large)?
+    ///     .grains((0..1000).map(|i| Grain::with_mass(0.3, 1.0).at(site(i))))?
     ///     .start()?;
-    /// assert_eq!(world.searches().levels, 2);
+    /// let searches = world.searches();
+    /// assert_eq!((searches.cells, searches.levels), (1728, 1));
     /// # Ok::<(), carom::Error>(())
     /// ```
     #[must_use]
