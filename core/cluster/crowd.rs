@@ -1,9 +1,8 @@
 //! Could a third body disturb a contact of two? Reads who is near; writes nothing.
 
-use super::settings::crowd_gap;
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
-use crate::space::{Domain, Particles, flight};
+use crate::space::{Domain, Particles, crowd_gap, flight};
 
 /// A grain that takes part in a contact.
 #[derive(Clone, Copy)]

@@ -102,8 +102,7 @@ impl<S: Scalar> Settings<S> {
 
     /// How far grains must be seen: no cell is narrower.
     pub fn sight(&self) -> Sight {
-        let may_crowd = self.enduring == Enduring::Integrated && self.has_forces;
-        Sight { gap: if may_crowd { CROWD_GAP } else { 0.0 } }
+        Sight { may_crowd: self.enduring == Enduring::Integrated && self.has_forces }
     }
 
     /// Takes over gravity; without it, if there never was one, a speed from which slow is a sixteenth.
@@ -210,13 +209,4 @@ impl<S: Scalar> Settings<S> {
         };
         step.max(S::RESOLUTION * S::from_f32(4.0))
     }
-}
-
-/// Who is further off than this part of the larger radius of two is no crowd, however fast it comes: it is not known
-/// in every grid.
-const CROWD_GAP: f64 = 0.5;
-
-/// The same as a distance.
-pub(super) fn crowd_gap<S: Scalar>(larger_radius: S) -> S {
-    larger_radius * S::from_f64(CROWD_GAP)
 }

@@ -19,30 +19,35 @@ pub(super) fn choose<S: Scalar, const D: usize>(
     reach: f64,
     most: usize,
 ) -> Option<Grid<S, D>> {
-    with_width(boundary, bodies, (SLACK * reach).max(dense_width(boundary, bodies)), most)
+    let sides = sides(boundary, bodies);
+    let width = (SLACK * reach).max(dense_width(&sides, bodies.len()));
+    with_width(boundary, &sides, width, most)
 }
 
-/// The width of cells for grains that are points.
-pub(super) fn dense_width<S: Scalar, const D: usize>(
+/// From where to where the grains can be along each axis.
+pub(super) fn sides<S: Scalar, const D: usize>(
     boundary: &Boundary<'_, S, D>,
     bodies: &[Body<S, D>],
-) -> f64 {
-    let sides: [[S; 2]; D] = core::array::from_fn(|axis| extent(boundary, bodies, axis));
+) -> [[S; 2]; D] {
+    core::array::from_fn(|axis| extent(boundary, bodies, axis))
+}
+
+/// The width of cells for so many grains that are points.
+pub(super) fn dense_width<S: Scalar, const D: usize>(sides: &[[S; 2]; D], grains: usize) -> f64 {
     let volume: f64 = sides.iter().map(|[low, high]| (*high - *low).to_f64()).product();
-    CELL_WIDTH * libm::pow(volume / bodies.len().max(1) as f64, 1.0 / D as f64)
+    CELL_WIDTH * libm::pow(volume / grains.max(1) as f64, 1.0 / D as f64)
 }
 
 /// The grid whose cells have this width at least, at most `most` of them.
 pub(super) fn with_width<S: Scalar, const D: usize>(
     boundary: &Boundary<'_, S, D>,
-    bodies: &[Body<S, D>],
+    sides: &[[S; 2]; D],
     mut width: f64,
     most: usize,
 ) -> Option<Grid<S, D>> {
     if !(width > 0.0 && width.is_finite()) || D > MAX_AXES {
         return None;
     }
-    let sides: [[S; 2]; D] = core::array::from_fn(|axis| extent(boundary, bodies, axis));
     // Each round makes cells an eighth wider; 500 of them span any range of widths.
     for _ in 0..500 {
         let along = |axis| {

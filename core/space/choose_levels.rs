@@ -1,7 +1,7 @@
 //! One grid, or levels of cells? Reads the boundary and all radii at the start; writes nothing, returns both.
 
 use super::boundary::Boundary;
-use super::choose_grid::{self, SLACK, dense_width, with_width};
+use super::choose_grid::{self, SLACK, dense_width, sides, with_width};
 use super::grid::Grid;
 use super::levels::Levels;
 use super::sight::Sight;
@@ -22,7 +22,7 @@ pub(crate) fn choose_cells<S: Scalar, const D: usize>(
     let largest = radii.fold(0.0, f64::max);
     levels(boundary, bodies, (sight, largest), most).map_or_else(
         || {
-            let grid = choose_grid::choose(boundary, bodies, sight.of(largest, largest), most);
+            let grid = choose_grid::choose(boundary, bodies, sight.of_equal(largest), most);
             (grid, Levels::one(sight))
         },
         |(grid, levels)| (Some(grid), levels),
@@ -36,8 +36,9 @@ fn levels<S: Scalar, const D: usize>(
     (sight, largest): (Sight, f64),
     most: usize,
 ) -> Option<(Grid<S, D>, Levels<D>)> {
-    let dense = dense_width(boundary, bodies);
-    let reach = |radius: f64| SLACK * sight.of(radius, radius);
+    let sides = sides(boundary, bodies);
+    let dense = dense_width(&sides, bodies.len());
+    let reach = |radius: f64| SLACK * sight.of_equal(radius);
     if bodies.len() < FEWEST || !(dense > 0.0 && reach(0.5 * largest) >= dense) {
         return None;
     }
@@ -47,7 +48,7 @@ fn levels<S: Scalar, const D: usize>(
         finest *= 0.5;
     }
     // An eighth of the lists is for the wider cells.
-    let grid = with_width(boundary, bodies, reach(finest), most - most / 8)?;
+    let grid = with_width(boundary, &sides, reach(finest), most - most / 8)?;
     let levels = Levels::over(&grid, bodies, sight, most)?;
     (!levels.is_one()).then_some((grid, levels))
 }

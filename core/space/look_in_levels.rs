@@ -217,7 +217,7 @@ mod tests {
             let length = if periodic { f64::from(count) } else { 0.0 };
             GridAxis { low: 0.0, width: 1.0, count, periodic, length }
         };
-        let mut levels = Levels::one(Sight { gap: 0.0 });
+        let mut levels = Levels::one(Sight { may_crowd: false });
         let mut first = 0;
         for &group in [1].iter().chain(groups) {
             let group = counts.map(|count| group.min(count));

@@ -33,4 +33,4 @@ pub(crate) use neighbours::{BATCH, NeighbourBatch};
 #[cfg(not(feature = "alloc"))]
 pub(crate) use one_level::choose_cells;
 pub(crate) use particles::{Particles, largest_radius};
-pub(crate) use sight::Sight;
+pub(crate) use sight::{Sight, crowd_gap};

@@ -13,7 +13,7 @@ pub(crate) struct Levels<const D: usize>;
 
 impl<const D: usize> Levels<D> {
     pub fn sight(&self) -> Sight {
-        Sight { gap: 0.0 }
+        Sight { may_crowd: false }
     }
 
     pub fn len(&self) -> usize {
@@ -50,6 +50,6 @@ pub(crate) fn choose_cells<S: Scalar, const D: usize>(
     most: usize,
 ) -> (Option<Grid<S, D>>, Levels<D>) {
     let largest = bodies.iter().fold(S::zero(), |largest, body| largest.max(body.radius));
-    let reach = sight.of(largest.to_f64(), largest.to_f64());
+    let reach = sight.of_equal(largest).to_f64();
     (choose_grid::choose(boundary, bodies, reach, most), Levels)
 }

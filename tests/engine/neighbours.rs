@@ -58,6 +58,13 @@ fn cells_and_all_pairs_give_the_same_bits_over_a_hundred_thousand_events() {
     same(&scene::<f64, 3>(9.0, true, 0.0), HardSphere { restitution: 1.0 }, 100_000);
 }
 
+/// Just beyond the end of such a box numbers are twice as coarse as in it.
+#[test]
+fn the_same_holds_in_a_box_just_shorter_than_a_power_of_two() {
+    same(&scene::<f64, 2>(31.999, true, 0.0), HardSphere { restitution: 0.99 }, 5_000);
+    same(&scene::<f32, 2>(31.99, true, 0.0), HardSphere { restitution: 0.99 }, 5_000);
+}
+
 #[test]
 fn the_same_holds_for_soft_grains_for_gravity_and_for_single_precision() {
     let elastic = Soft::linear_dashpot(elastic_spring(), Outside::HardSphere);
