@@ -8,10 +8,8 @@ use crate::scalar::{Scalar, Vector, norm};
 pub(crate) struct ImpactFrame<S: Scalar, const D: usize> {
     /// r₁ − r₂.
     separation: Vector<S, D>,
-    /// Unit vector from the second body to the first.
-    pub e_r: Vector<S, D>,
-    /// Unit vector of the tangential motion; zero if there is none.
-    e_t: Vector<S, D>,
+    /// The part of the relative velocity across the line of centres.
+    across: Vector<S, D>,
     /// Distance of the centres.
     pub(super) distance: S,
     /// ṙ: negative.
@@ -27,13 +25,22 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
         if !(distance > S::zero()) {
             return None;
         }
-        let e_r = separation / distance;
         // The sign is that of r·v, as in the prediction: else rounding could make an event of nothing.
         let radial = S::component(&separation, &velocity, distance);
         let across = velocity - S::along(&separation, radial, distance);
         let tangential = if D > 1 { norm(&across) } else { S::zero() };
-        let e_t = if tangential > S::zero() { across / tangential } else { Vector::zeros() };
-        Some(Self { separation, e_r, e_t, distance, radial, tangential })
+        Some(Self { separation, across, distance, radial, tangential })
+    }
+
+    /// Unit vector from the second body to the first.
+    pub fn e_r(&self) -> Vector<S, D> {
+        self.separation / self.distance
+    }
+
+    /// Unit vector of the tangential motion; zero if there is none.
+    fn e_t(&self) -> Vector<S, D> {
+        let moves = self.tangential > S::zero();
+        if moves { self.across / self.tangential } else { Vector::zeros() }
     }
 
     /// What a rule may know of the two.
@@ -61,16 +68,17 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
     /// interrupted contact is put where the contact's end belongs, ε_r l: overlaps cannot add up.
     pub fn after(&self, reach: S, outcome: &Outcome<S>) -> (Vector<S, D>, Vector<S, D>) {
         let (sin, cos) = outcome.angle.sin_cos();
-        let e_r = self.e_r * cos + self.e_t * sin;
+        let e_t = self.e_t();
+        let e_r = self.e_r() * cos + e_t * sin;
         let shallow = self.distance > reach * S::from_f64(1.0 - 1.0 / 1024.0);
         let before = if shallow { self.distance } else { reach };
         let distance = before * outcome.separation;
         let tangential = self.tangential * (self.distance / before) / outcome.separation;
         let radial = -self.radial * outcome.restitution;
         if !(self.tangential > S::zero()) {
-            return (self.e_r * distance, self.along(radial));
+            return (self.e_r() * distance, self.along(radial));
         }
         let (along, across) = (cos * radial - sin * tangential, sin * radial + cos * tangential);
-        (e_r * distance, self.along(along) + self.e_t * across)
+        (e_r * distance, self.along(along) + e_t * across)
     }
 }

@@ -155,7 +155,7 @@ pub(super) fn pair_comes_to_rest<S: Scalar, const D: usize>(
 ) -> bool {
     let [i, k] = who;
     let mut rested = false;
-    for (x, body, other, push) in [(i, &pair[0], k, frame.e_r), (k, &pair[1], i, -frame.e_r)] {
+    for (x, body, other, push) in [(i, &pair[0], k, frame.e_r()), (k, &pair[1], i, -frame.e_r())] {
         let blocked = body.is_supported()
             && !body.is_asleep()
             && is_negligible(&unsupported_part(context, (x, body), push, Some(other)), &push);

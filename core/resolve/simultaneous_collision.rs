@@ -135,7 +135,7 @@ impl<S: Scalar, const D: usize> Crowd<S, D> {
         let impact = frame.impact(body, &other);
         let wanted = change_of(instantaneous(rule, &impact)?, -frame.radial, least(body, &other));
         let partner = known.or_else(|| self.add(k, other))?;
-        self.contact((place, Some(partner)), frame.e_r, (wanted, impact.reduced_mass))
+        self.contact((place, Some(partner)), frame.e_r(), (wanted, impact.reduced_mass))
     }
 
     /// False if it cannot be added.

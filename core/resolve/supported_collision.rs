@@ -20,7 +20,7 @@ pub(super) fn collide<S: Scalar, const D: usize>(
 ) -> Result<EventOutcome<S>, Error> {
     let [a, b] = pair;
     let [i, k] = who;
-    let e = frame.e_r;
+    let e = frame.e_r();
     let to_a = free_part(context, (i, a), e, k);
     let to_b = free_part(context, (k, b), -e, i);
     let mobility = S::dot(&e, &to_a).divided_by(a.mass) - S::dot(&e, &to_b).divided_by(b.mass);

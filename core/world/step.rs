@@ -42,12 +42,13 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         observer: &mut impl Observer<S, D>,
     ) -> Result<Option<Event<S>>, Error> {
         let step = self.clusters.due();
-        let Some((grain, due)) = self.due(limit.min(step)) else {
+        let Some(grain) = self.due(limit.min(step)) else {
             if self.has_clusters() && step <= limit {
                 return self.step_clusters(step, observer).map(Some);
             }
             return Ok(None);
         };
+        let due = self.queue.event(grain);
         self.move_clock(grain, &due)?;
         let (at, partner, kind) = (self.now(), due.with(), due.kind);
         let mut event = Event { at, grain, partner, kind, outcome: None };
@@ -69,26 +70,27 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         Ok(Some(event))
     }
 
-    /// The earliest event, if it is due by `limit`; stale ones are predicted anew on the way.
-    fn due(&mut self, limit: S) -> Option<(usize, ScheduledEvent<S>)> {
+    /// Whose event is the earliest, if it is due by `limit`; stale ones are predicted anew on the way.
+    fn due(&mut self, limit: S) -> Option<usize> {
         loop {
             let grain = self.queue.first()?;
-            let event = self.queue.event(grain);
-            if event.kind == EventKind::Nothing || !(event.time <= limit) {
+            let event = self.queue.events.get(grain)?;
+            let time = event.time;
+            if event.kind == EventKind::Nothing || !(time <= limit) {
                 return None;
             }
-            let queued = (grain, &event);
+            let queued = (grain, event);
             let stale = match first_of_instant(&self.particles, &self.domain, &self.queue, queued) {
+                Ok(first) if first == grain => return Some(grain),
                 Ok(first) => {
-                    let due = self.queue.event(first);
-                    let faster = first != grain && due.kind == EventKind::Collision;
-                    self.statistics.reordered += u64::from(faster);
-                    return Some((first, due));
+                    let is_collision = self.queue.event(first).kind == EventKind::Collision;
+                    self.statistics.reordered += u64::from(is_collision);
+                    return Some(first);
                 }
                 Err(stale) => stale,
             };
             self.statistics.stale += 1;
-            self.clock.move_to(event.time);
+            self.clock.move_to(time);
             let event = self.predict(stale);
             self.queue.set(stale, event);
         }
