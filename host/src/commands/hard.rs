@@ -180,6 +180,9 @@ fn fraction(text: &str) -> Result<f64> {
 /// By how much an overlap may become deeper by rounding of positions in a box of some ten diameters.
 const DEEPER: f64 = 1e-14;
 
+/// By how much energy and momentum may change by rounding, a random walk of 10⁹ steps of some 10⁻¹⁶ over 10³ grains.
+const ROUNDING: f64 = 1e-12;
+
 /// Lines about progress.
 const LINES: u64 = 10;
 
@@ -213,7 +216,7 @@ pub fn soak(options: &SoakOptions) -> Result<()> {
     drop(progress);
     report(&mut out, &gas.state, &overlaps)?;
     ran?;
-    verify(&gas.state, &overlaps)
+    verify(&gas.state, restitution, &overlaps)
 }
 
 fn line(out: &mut impl Write, state: &RunState, wall: f64) -> Result<()> {
@@ -244,6 +247,8 @@ fn report(out: &mut impl Write, state: &RunState, overlaps: &Overlaps) -> Result
         "  overlapping pairs that approach after an event: {}, at most at {:.1e} of their speed",
         overlaps.approaching, overlaps.fastest
     )?;
+    writeln!(out, "  largest change of the energy: {:.2e} of it", state.energy_change)?;
+    writeln!(out, "  largest change of the momentum: {:.2e} of √(2 E M)", state.momentum_change)?;
     writeln!(out, "  events before their predecessor: {}", state.backward)?;
     writeln!(out, "  most collisions at one instant: {}", state.at_once)?;
     let statistics = state.statistics.iter().map(|(name, count)| format!("{name} {count}"));
@@ -252,7 +257,13 @@ fn report(out: &mut impl Write, state: &RunState, overlaps: &Overlaps) -> Result
 }
 
 /// The invariants.
-fn verify(state: &RunState, overlaps: &Overlaps) -> Result<()> {
+fn verify(state: &RunState, restitution: f64, overlaps: &Overlaps) -> Result<()> {
+    let (energy, momentum) = (state.energy_change, state.momentum_change);
+    ensure!(momentum < ROUNDING, "momentum changed by {momentum:.1e}, more than {ROUNDING:.0e}");
+    ensure!(
+        restitution < 1.0 || energy < ROUNDING,
+        "energy changed by {energy:.1e} of itself, more than {ROUNDING:.0e}"
+    );
     ensure!(state.backward == 0, "{} events had a negative time step", state.backward);
     ensure!(
         overlaps.decrease < DEEPER,

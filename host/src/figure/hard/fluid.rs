@@ -156,6 +156,10 @@ pub struct RunState {
     pub redrawn: u64,
     /// Kinetic energy a grain, in the present unit.
     pub energy: f64,
+    /// The largest change of the energy since the start of a unit of time, relative to it.
+    pub energy_change: f64,
+    /// The largest change of the total momentum since then, relative to √(2 E m) of all.
+    pub momentum_change: f64,
     /// The engine's statistics, summed over all units of time.
     pub statistics: Vec<(&'static str, u64)>,
     /// Events that were before the one before them.
@@ -227,6 +231,7 @@ fn one_unit<W: Observer<f64, 3>>(
     each: &mut impl FnMut(&RunState) -> Result<()>,
 ) -> Result<()> {
     let before = state.clone();
+    let (energy, momentum) = (world.view().kinetic_energy(), world.view().momentum());
     let interval = 8 * world.view().len() as u64;
     loop {
         let until = (state.collisions + interval).min(collisions);
@@ -237,7 +242,11 @@ fn one_unit<W: Observer<f64, 3>>(
             events += 1;
         }
         state.time = before.time + world.now().as_f64();
-        state.energy = world.view().kinetic_energy() / world.view().len() as f64;
+        let (now, count) = (world.view().kinetic_energy(), world.view().len() as f64);
+        let pushed = (world.view().momentum() - momentum).norm() / (2.0 * energy * count).sqrt();
+        state.energy = now / count;
+        state.energy_change = state.energy_change.max((now / energy - 1.0).abs());
+        state.momentum_change = state.momentum_change.max(pushed);
         state.statistics = sum(&before.statistics, world.statistics());
         each(state)?;
         let enough = state.energy < SLOW || state.collisions >= collisions;
