@@ -205,7 +205,7 @@ pub const FAR: f64 = 1.5 * 137_438_953_472.0;
 
 /// Makes the figure: for each density three curves over the coefficient of restitution.
 pub fn make_overlaps(options: &Options) -> Result<Made> {
-    let collisions = if options.full { 1_000_000_000 } else { 100_000 };
+    let collisions = if options.full { 5_000_000 } else { 100_000 };
     let near = Fluid::elastic(GRAINS, 0.5);
     let fine = all("bsfp14-5", &near, &RESTITUTIONS, collisions)?;
     let far = Fluid { middle: FAR, ..near };
