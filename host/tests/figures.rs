@@ -212,9 +212,9 @@ fn shaken_disks_have_the_restitution_of_mds_force_law() {
     }
 }
 
-/// λ/h of Umbanhowar and Swinney (2000) at two frequencies, by hand.
+/// λ/h of the fit at two frequencies, by hand.
 #[test]
-fn faraday_the_fit_is_the_paper_s() {
+fn faraday_the_fit_by_hand() {
     assert!((faraday::wavelength(1.0) - 2.1).abs() < 1e-12);
     assert!((faraday::wavelength(0.4174) - 4.485).abs() < 2e-3);
 }

@@ -38,7 +38,7 @@ const CYCLES: usize = 32;
 /// Of the surface's places along the box.
 const PLACE: f64 = 2.0;
 
-/// λ/h by Umbanhowar and Swinney's fit to their measurements.
+/// λ/h by the fit ascribed to Umbanhowar and Swinney, which we have not seen at its source.
 pub fn wavelength(frequency: f64) -> f64 {
     1.0 + 1.1 * libm::pow(frequency, -1.32)
 }
