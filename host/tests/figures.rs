@@ -11,6 +11,8 @@ use carom_host::figure::waves::faraday::{self, Layer};
 use carom_host::figure::waves::modes::Mode;
 use carom_host::figure::waves::shaken_disks::Disks;
 use carom_host::figure::{self, Made, Options};
+use std::f64::consts::TAU;
+use std::{array, thread};
 
 fn make(id: &str) -> Made {
     let entry = figure::find(id).unwrap();
@@ -210,9 +212,9 @@ fn shaken_disks_have_the_restitution_of_mds_force_law() {
     }
 }
 
-/// λ/h of Umbanhowar and Swinney (2000) at two frequencies, by hand.
+/// λ/h of the fit at two frequencies, by hand.
 #[test]
-fn faraday_the_fit_is_the_paper_s() {
+fn faraday_the_fit_by_hand() {
     assert!((faraday::wavelength(1.0) - 2.1).abs() < 1e-12);
     assert!((faraday::wavelength(0.4174) - 4.485).abs() < 2e-3);
 }
@@ -221,22 +223,56 @@ fn faraday_the_fit_is_the_paper_s() {
 #[test]
 fn faraday_waves_change_sign_in_every_cycle() {
     let layer = Layer { size: [21.0, 4.5], agitation: 2.6, seed: 1 };
-    let waves = faraday::waves(&layer.run([9, 13]).unwrap().means);
-    assert!(waves.likeness < -0.9 && waves.amplitude > 0.8, "{waves:?}");
+    let waves = faraday::waves(&layer.run([9, 13]).unwrap());
+    assert!(waves.correlation < -0.9 && waves.amplitude > 1.6, "{waves:?}");
+    assert!(waves.noise < waves.amplitude / 4.0, "{waves:?}");
 }
 
-/// The figure's claims, below and above the onset, in a box in which one number of waves is within 20 % of the fit.
+/// Of a profile that stands still and one that changes sign only the latter counts, from trough to crest.
 #[test]
-#[ignore = "two minutes: cargo test --release -p carom-host --test figures -- --ignored"]
+fn faraday_what_is_the_same_in_every_cycle_is_no_wave() {
+    let wave = |number: usize, k: usize| (TAU * (number * k) as f64 / 40.0).cos();
+    let cycle = |amplitude: f64| -> faraday::Cycle {
+        array::from_fn(|_| (0..40).map(|k| 5.0 + wave(2, k) + amplitude * wave(3, k)).collect())
+    };
+    let still = faraday::waves(&[0.0; 8].map(cycle));
+    assert!(still.amplitude < 1e-12 && still.noise < 1e-12, "{still:?}");
+    let waves = faraday::waves(&[0.5, -0.5, 0.5, -0.5].map(cycle));
+    assert!((waves.amplitude - 1.0).abs() < 1e-12 && waves.noise < 1e-12, "{waves:?}");
+    assert!(waves.number == 3 && (waves.correlation + 1.0).abs() < 1e-12, "{waves:?}");
+}
+
+/// What layers of this Γ do in a box in which one number of waves is within 20 % of the fit.
+fn faraday_waves<const N: usize>(layers: [(f64, u64); N]) -> [faraday::Waves; N] {
+    let run = |(agitation, seed)| {
+        let layer = Layer { size: [64.0, 5.0], agitation, seed };
+        faraday::waves(&layer.run([24, 32]).unwrap())
+    };
+    thread::scope(|scope| {
+        layers.map(|layer| scope.spawn(move || run(layer))).map(|one| one.join().unwrap())
+    })
+}
+
+/// The figure's claims, below and above the onset.
+#[test]
+#[ignore = "three minutes together: cargo test --release -p carom-host --test figures -- --ignored"]
 fn faraday_waves_stand_above_the_onset_only() {
-    let layer = |agitation| Layer { size: [64.0, 5.0], agitation, seed: 1 };
-    let [flat, high] =
-        [2.2, 2.5].map(|agitation| faraday::waves(&layer(agitation).run([24, 32]).unwrap().means));
+    let [flat, high] = faraday_waves([(2.2, 1), (2.5, 1)]);
     assert!(flat.amplitude < 0.4, "{flat:?}");
-    assert!(high.amplitude > 1.0 && high.likeness < -0.95, "{high:?}");
+    assert!(high.amplitude > 2.0 && high.correlation < -0.95, "{high:?}");
     let wavelength = 64.0 / high.number as f64 / faraday::FILLING;
     let off = wavelength / faraday::wavelength(faraday::FREQUENCY) - 1.0;
     assert!(off.abs() < 0.2, "{high:?}");
+}
+
+/// The page's claim: below the onset other draws have weak waves, too, of up to 0.63 d, and these are no noise.
+#[test]
+#[ignore = "three minutes together: cargo test --release -p carom-host --test figures -- --ignored"]
+fn faraday_waves_below_the_onset_are_weak_for_any_seed() {
+    for waves in faraday_waves([(2.2, 2), (2.2, 3)]) {
+        assert!(waves.amplitude < 0.65 && waves.amplitude > 3.0 * waves.noise, "{waves:?}");
+        assert!(waves.correlation < -0.8, "{waves:?}");
+    }
 }
 
 /// The wave of a surface that is one.
@@ -247,5 +283,5 @@ fn faraday_a_mode_is_found_with_its_sign() {
     };
     let [a, b] = [1.0, -1.0].map(|sign| Mode::strongest(&wave(sign)));
     assert_eq!(a.number, 6);
-    assert!((a.amplitude() - 1.5).abs() < 1e-12 && (a.likeness(&b) + 1.0).abs() < 1e-12);
+    assert!((a.amplitude() - 1.5).abs() < 1e-12 && (a.correlation(&b) + 1.0).abs() < 1e-12);
 }

@@ -27,7 +27,7 @@ pub struct FigureOptions {
     /// Draw the figure into this file (.png, .svg or .pdf).
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// With the paper's statistics, however long it takes.
+    /// With more statistics, as the figure's page says: minutes, for bsfp14-3 hours.
     #[arg(long)]
     full: bool,
     /// Print the page docs/figures/ID.md; without an id, the list of all pages.

@@ -153,7 +153,7 @@ impl Series {
 /// How a figure is to be made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// With the paper's statistics, however long that takes; otherwise in under two minutes.
+    /// With more statistics, up to the paper's, however long that takes; otherwise in under two minutes.
     pub full: bool,
 }
 

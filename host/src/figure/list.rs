@@ -51,7 +51,7 @@ const BSFP14: &[Entry] = &[
     entry!(
         "bsfp14-5",
         "how often a grain overlaps its partner and a third at a collision",
-        bsfp14::gas::make_overlaps
+        bsfp14::three_body::make
     ),
     entry!(
         "bsfp14-7",

@@ -14,7 +14,7 @@ pub const FOLDER: &str = "docs/figures";
 /// What a page says about how it was made.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Origin {
-    /// With the paper's statistics.
+    /// With more statistics.
     pub full: bool,
     /// On which day; pages that take long to make carry it.
     pub date: Option<String>,

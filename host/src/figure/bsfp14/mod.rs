@@ -4,3 +4,4 @@ pub mod ball;
 pub mod gas;
 pub mod path;
 pub mod plates;
+pub mod three_body;

@@ -193,7 +193,7 @@ struct Point {
 
 /// Makes the figure: frequencies of both exceptions along both scans, elastic and dissipative.
 pub fn make(options: &Options) -> Result<Made> {
-    let collisions = if options.full { 1_000_000 } else { 30_000 };
+    let collisions = if options.full { 300_000 } else { 30_000 };
     let points = (PACKINGS.len() + MODULI.len()) * DISSIPATIONS.len();
     let progress = Progress::new("mp13-7", points as u64);
     let axes = ["packing fraction η, or Y (Pa)", "exceptions per 1000 collisions"];

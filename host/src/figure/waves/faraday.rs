@@ -1,7 +1,9 @@
-//! Are there Faraday waves on a layer of grains? Shakes hard spheres of ε = 0.7; writes the surface in two cycles, its amplitude and wavelength.
+//! Are there Faraday waves on a layer of grains? Shakes hard spheres of ε = 0.7; writes the surface in two cycles, the waves' amplitude and wavelength.
 //!
 //! As Faraday's waves on a liquid these have half of the plate's frequency. Bizon et al. (Phys. Rev. Lett. 80, 57, 1998)
 //! found those of the experiment in event-driven runs; Umbanhowar and Swinney (Physica A 288, 344, 2000) measured λ.
+//! They repeat after two cycles and are upside down after one. So their profile is the mean of the layer's profile with
+//! alternating sign: what is the same in every cycle cancels, and what is random becomes small.
 
 use super::modes::Mode;
 use crate::figure::data::{Figure, Made, Note, Options, Series};
@@ -11,7 +13,7 @@ use crate::progress::Progress;
 use anyhow::{Context, Result};
 use carom::law::HardSphere;
 use carom::space::{Plane, Surface as Material, Vibration};
-use carom::{Grain, HeapMemory, World};
+use carom::{Grain, HeapMemory, View, World};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -36,7 +38,7 @@ const CYCLES: usize = 32;
 /// Of the surface's places along the box.
 const PLACE: f64 = 2.0;
 
-/// λ/h by Umbanhowar and Swinney's fit to their measurements.
+/// λ/h by the fit ascribed to Umbanhowar and Swinney, which we have not seen at its source.
 pub fn wavelength(frequency: f64) -> f64 {
     1.0 + 1.1 * libm::pow(frequency, -1.32)
 }
@@ -56,17 +58,11 @@ pub struct Layer {
     pub seed: u64,
 }
 
-/// Heights over the plate, in places along the box.
+/// Mean heights of the grains over the plate, in places along the box.
 pub type Profile = Vec<f64>;
 
-/// What a layer did: its profile in every cycle that was looked at, at each phase.
-#[derive(Clone, Debug, Default)]
-pub struct Course {
-    /// The mean height of the grains in each place.
-    pub means: Vec<[Profile; PHASES]>,
-    /// The highest point of the grains in each place.
-    pub tops: Vec<[Profile; PHASES]>,
-}
+/// A layer's profile at each phase of a cycle.
+pub type Cycle = [Profile; PHASES];
 
 impl Layer {
     fn frequency() -> f64 {
@@ -95,11 +91,11 @@ impl Layer {
         })
     }
 
-    /// Shakes it for so many cycles and looks at it in those from `before` on.
+    /// Shakes it for so many cycles and returns those from `before` on.
     ///
     /// # Errors
     /// An error of the engine.
-    pub fn run(&self, [before, cycles]: [usize; 2]) -> Result<Course> {
+    pub fn run(&self, [before, cycles]: [usize; 2]) -> Result<Vec<Cycle>> {
         let mut storage = HeapMemory::<f64, 3>::with_capacity(self.grains());
         let plate = Plane::new([0.0, 0.0, 1.0], 0.0, Material::Hard(RESTITUTION))
             .vibrating(Vibration::new(self.amplitude(), Self::frequency()));
@@ -113,66 +109,77 @@ impl Layer {
             .rule(HardSphere { restitution: RESTITUTION })
             .grains(self.start())?
             .start()?;
-        let mut course = Course::default();
+        let mut seen = Vec::with_capacity(cycles.saturating_sub(before));
         for cycle in before..cycles {
-            let [mut means, mut tops]: [[Profile; PHASES]; 2] = Default::default();
-            for phase in 0..PHASES {
+            let mut profiles = Cycle::default();
+            for (phase, profile) in profiles.iter_mut().enumerate() {
                 let turns = cycle as f64 + phase as f64 / PHASES as f64;
                 world.advance_to(turns / Self::frequency())?;
-                let plate = self.amplitude() * libm::sin(TAU * turns);
-                let view = world.view();
-                let all = (0..view.len()).map(|i| view.grain(i).map(|grain| grain.position));
-                let heights = all.flatten().map(|at| [at[0], at[2] - plate]);
-                [means[phase], tops[phase]] = self.profiles(heights);
+                *profile = self.profile(&world.view(), self.amplitude() * libm::sin(TAU * turns));
             }
-            course.means.push(means);
-            course.tops.push(tops);
+            seen.push(profiles);
         }
-        Ok(course)
+        Ok(seen)
     }
 
-    /// Mean height and highest point of the grains in each place, from their places and heights.
-    fn profiles(&self, grains: impl Iterator<Item = [f64; 2]>) -> [Profile; 2] {
+    /// Mean height of the grains in each place, over a plate at this height.
+    fn profile(&self, view: &View<'_, f64, 3>, plate: f64) -> Profile {
         let places = (self.size[0] / PLACE).round() as usize;
         let mut sums = vec![[0.0_f64; 2]; places];
-        let mut tops = vec![0.0_f64; places];
-        for [x, z] in grains {
-            let k = (x / self.size[0]).rem_euclid(1.0) * places as f64;
-            let k = (k as usize).min(places - 1);
-            sums[k] = [sums[k][0] + z, sums[k][1] + 1.0];
-            tops[k] = tops[k].max(z + 0.5);
+        let grains = (0..view.len()).filter_map(|i| view.grain(i));
+        for at in grains.map(|grain| grain.position) {
+            let k = (at[0] / self.size[0]).rem_euclid(1.0) * places as f64;
+            let [sum, count] = &mut sums[(k as usize).min(places - 1)];
+            *sum += at[2] - plate;
+            *count += 1.0;
         }
-        [sums.into_iter().map(|[sum, count]| sum / count.max(1.0)).collect(), tops]
+        sums.into_iter().map(|[sum, count]| sum / count.max(1.0)).collect()
     }
 }
 
-/// What a layer's profile does.
+/// The waves of a layer.
 #[derive(Clone, Debug)]
 pub struct Waves {
-    /// The phase at which the waves are highest.
+    /// The phase at which they are highest.
     pub phase: usize,
     /// Wavelengths in the box.
     pub number: usize,
-    /// Of the strongest mode at that phase, half of the way from trough to crest, averaged over the cycles, in d.
+    /// Of the strongest mode of what changes sign in every cycle, from trough to crest, in d.
     pub amplitude: f64,
-    /// How alike one cycle's wave and the next one's are, from −1 to 1, on average.
-    pub likeness: f64,
+    /// The same of what changes sign in every second cycle: no waves, only noise.
+    pub noise: f64,
+    /// Between one cycle's wave and the next one's, from −1 to 1, on average.
+    pub correlation: f64,
 }
 
-/// The waves of a layer, from its profiles in one cycle after the other.
-pub fn waves(cycles: &[[Profile; PHASES]]) -> Waves {
-    let modes = |phase: usize| {
-        cycles.iter().map(move |phases| Mode::strongest(&phases[phase])).collect::<Vec<_>>()
-    };
-    let mean = |all: Vec<f64>| all.iter().sum::<f64>() / all.len() as f64;
-    let height = |phase: &usize| mean(modes(*phase).iter().map(Mode::amplitude).collect());
-    let phase = (0..PHASES).max_by(|a, b| height(a).total_cmp(&height(b))).unwrap_or(0);
-    let numbers: Vec<usize> = modes(phase).iter().map(|mode| mode.number).collect();
-    let often = |number: &usize| numbers.iter().filter(|n| *n == number).count();
-    let number = numbers.iter().copied().max_by_key(often).unwrap_or(0);
-    let all: Vec<Mode> = cycles.iter().map(|phases| Mode::of(&phases[phase], number)).collect();
-    let likeness = mean(all.windows(2).map(|two| two[0].likeness(&two[1])).collect());
-    Waves { phase, number, amplitude: height(&phase), likeness }
+/// Signs of a wave of half the plate's frequency; and of a quarter.
+const HALF: [f64; 4] = [1.0, -1.0, 1.0, -1.0];
+const QUARTER: [f64; 4] = [1.0, 1.0, -1.0, -1.0];
+
+/// The mean of the profiles at this phase, each with its cycle's sign.
+fn signed_mean(cycles: &[Cycle], phase: usize, signs: [f64; 4]) -> Profile {
+    let mut mean = vec![0.0; cycles.first().map_or(0, |cycle| cycle[phase].len())];
+    for (cycle, sign) in cycles.iter().zip(signs.iter().cycle()) {
+        for (sum, height) in mean.iter_mut().zip(&cycle[phase]) {
+            *sum += sign * height / cycles.len() as f64;
+        }
+    }
+    mean
+}
+
+/// The waves of a layer, from its profiles in one cycle after the other, four or a multiple of that: then whatever is
+/// the same in each of them cancels.
+pub fn waves(cycles: &[Cycle]) -> Waves {
+    let strongest = |phase, signs| Mode::strongest(&signed_mean(cycles, phase, signs));
+    let height = |phase, signs| 2.0 * strongest(phase, signs).amplitude();
+    let phases = (0..PHASES).map(|phase| (phase, height(phase, HALF)));
+    let highest = phases.max_by(|(_, a), (_, b)| a.total_cmp(b));
+    let (phase, amplitude) = highest.unwrap_or_default();
+    let number = strongest(phase, HALF).number;
+    let modes: Vec<Mode> = cycles.iter().map(|cycle| Mode::of(&cycle[phase], number)).collect();
+    let pairs = modes.windows(2).map(|two| two[0].correlation(&two[1]));
+    let correlation = pairs.sum::<f64>() / (cycles.len() as f64 - 1.0);
+    Waves { phase, number, amplitude, noise: height(phase, QUARTER), correlation }
 }
 
 /// The layers of the figure: below the onset, above it, and above it in another box. No length is a multiple of
@@ -191,33 +198,34 @@ pub const LAYERS: [Layer; 3] = [
 pub fn make(_: &Options) -> Result<Made> {
     let progress = Progress::new("faraday", LAYERS.len() as u64);
     let one = |layer: &Layer| {
-        let course = layer.run([BEFORE, CYCLES]);
+        let cycles = layer.run([BEFORE, CYCLES]);
         progress.add(1);
-        course
+        cycles
     };
-    let courses: Vec<Course> = LAYERS.par_iter().map(one).collect::<Result<_>>()?;
+    let courses: Vec<Vec<Cycle>> = LAYERS.par_iter().map(one).collect::<Result<_>>()?;
     let mut figure = Figure::new("faraday", ["place along the layer (d)", "mean height (d)"]);
-    for (layer, course) in LAYERS.iter().zip(&courses).take(2) {
-        for series in layer.curves(course).context("no cycle")? {
+    for (layer, cycles) in LAYERS.iter().zip(&courses).take(2) {
+        for series in layer.curves(cycles).context("no cycle")? {
             figure = figure.with(series);
         }
     }
     let picture = picture(&figure);
-    let notes = LAYERS.iter().zip(&courses).flat_map(|(layer, course)| notes(layer, course));
+    let notes =
+        LAYERS.iter().zip(&courses).flat_map(|(layer, cycles)| notes(layer, &waves(cycles)));
     let notes = notes.collect();
     Ok(Made { figure, picture, notes })
 }
 
 impl Layer {
     /// Its mean heights in the last two cycles, at the phase at which waves are highest.
-    fn curves(&self, course: &Course) -> Option<[Series; 2]> {
-        let phase = waves(&course.means).phase;
-        let last = course.means.len().checked_sub(2)?;
+    fn curves(&self, cycles: &[Cycle]) -> Option<[Series; 2]> {
+        let phase = waves(cycles).phase;
+        let last = cycles.len().checked_sub(2)?;
         let curve = |later: usize| {
             let cycle = CYCLES - 2 + later;
             let mut series = Series::new(format!("Γ = {}, cycle {cycle}", self.agitation));
             series = series.param("gamma", self.agitation).param("cycle", cycle as f64);
-            let heights = &course.means[last + later][phase];
+            let heights = &cycles[last + later][phase];
             for (k, height) in heights.iter().enumerate() {
                 series.push((k as f64 + 0.5) * self.size[0] / heights.len() as f64, *height);
             }
@@ -235,22 +243,21 @@ fn picture(figure: &Figure) -> Scene {
     draw::draw(figure, &style)
 }
 
-fn notes(layer: &Layer, course: &Course) -> Vec<Note> {
-    let [means, tops] = [waves(&course.means), waves(&course.tops)];
-    let [length, width] = layer.size;
-    let what = |of: &str| format!("Γ = {}, box {length} d by {width} d: {of}", layer.agitation);
-    let sizes = format!("{:.2} d; of the highest grains {:.2} d", means.amplitude, tops.amplitude);
-    let is_flat = layer.agitation < 2.3;
+fn notes(layer: &Layer, waves: &Waves) -> Vec<Note> {
+    let Layer { size: [length, width], agitation, .. } = layer;
+    let what = |of: &str| format!("Γ = {agitation}, box {length} d by {width} d: {of}");
+    let is_flat = *agitation < 2.3;
     let says = if is_flat { "flat" } else { "stripes" };
-    let mut notes = vec![Note::new(what("amplitude"), says, sizes)];
+    let amplitude = format!("{:.2} d (noise: {:.2} d)", waves.amplitude, waves.noise);
+    let correlation = format!("{:+.3}", waves.correlation);
+    let mut notes = vec![Note::new(what("amplitude"), says, amplitude)];
     if !is_flat {
         let expected = wavelength(FREQUENCY);
-        let ours = length / means.number as f64 / FILLING;
-        let off = 100.0 * (ours / expected - 1.0);
-        let says = format!("{expected:.2} h");
-        notes.push(Note::new(what("wavelength"), says, format!("{ours:.2} h ({off:+.0} %)")));
-        let likeness = format!("{:+.3}", means.likeness);
-        notes.push(Note::new(what("one cycle against the next"), "−1 (f/2)", likeness));
+        let ours = length / waves.number as f64 / FILLING;
+        let ours = format!("{ours:.2} h ({:+.0} %)", 100.0 * (ours / expected - 1.0));
+        notes.push(Note::new(what("wavelength"), format!("{expected:.2} h"), ours));
     }
+    let says = if is_flat { "not given" } else { "−1 (f/2)" };
+    notes.push(Note::new(what("one cycle against the next"), says, correlation));
     notes
 }

@@ -36,8 +36,8 @@ impl Mode {
         libm::hypot(self.parts[0], self.parts[1])
     }
 
-    /// How alike two modes of one number are: 1 for the same, −1 where crests are troughs.
-    pub fn likeness(&self, other: &Self) -> f64 {
+    /// Of two modes of one number: 1 where crests are crests, −1 where they are troughs.
+    pub fn correlation(&self, other: &Self) -> f64 {
         let product = self.parts[0] * other.parts[0] + self.parts[1] * other.parts[1];
         product / (self.amplitude() * other.amplitude())
     }
