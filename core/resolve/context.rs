@@ -43,11 +43,11 @@ impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
     }
 
     /// A grain that is here now moves on with another velocity; one more collision in a row, or the first of a row.
-    /// Where it flew to it is on the lattice of the boundary's axes.
+    /// Where it flew further than a box is long it may be beside the lattice of the boundary's axes.
     #[cfg_attr(target_pointer_width = "64", inline)]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub fn kick(&mut self, grain: usize, [position, velocity]: [Vector<S, D>; 2], in_a_row: bool) {
-        let now = self.clock.now;
+        let (now, position) = (self.clock.now, self.domain.boundary.to_lattice(position));
         self.particles.change(grain, |body| {
             (body.position, body.velocity) = (position, velocity);
             (body.clock, body.reference_time) = (now, now);
