@@ -40,7 +40,9 @@ pub(crate) fn is_crowded<S: Scalar, const D: usize>(
     }
     let mut crowded = false;
     for (n, Party { body, .. }) in parties.iter().enumerate() {
-        if parties.iter().take(n).any(|other| other.body.cell == body.cell) {
+        // Of two in one cell the larger sees further.
+        let has_seen = |other: &Body<S, D>| other.cell == body.cell && other.radius >= body.radius;
+        if parties.iter().take(n).any(|other| has_seen(other.body)) {
             continue;
         }
         particles.cells.for_each_near(body.cell, body.radius, |k| {

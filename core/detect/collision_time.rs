@@ -4,7 +4,7 @@ use super::bracketed_root::{Found, Search};
 use super::plate_acceleration::{peak_acceleration, peak_acceleration_along};
 use super::root;
 use crate::particle::Body;
-use crate::scalar::{LANES, Scalar, Vector, WideProduct, dot, norm};
+use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
 use crate::space::{Domain, Particles, Plane, flight};
 
 /// At what time two bodies touch that nothing supports: BSFP14's rule. Uniform gravity leaves their
@@ -19,15 +19,15 @@ pub(super) fn free_pair<S: Scalar, const D: usize>(
     [me, other]: [&Body<S, D>; 2],
     image: &Vector<S, D>,
 ) -> Option<S> {
-    let from = me.clock.max(other.clock);
-    let ((x, v), (y, w)) = if LANES > 1 {
-        // Whose clock is later nobody can guess: where numbers are cheap both fly, one of them nowhere.
-        (flight::free(me, domain, from), flight::free(other, domain, from))
-    } else if other.clock < from {
-        ((me.position, me.velocity), flight::free(other, domain, from))
+    let mut from = me.clock;
+    let (mut x, mut v) = (me.position, me.velocity);
+    let (mut y, mut w) = (other.position, other.velocity);
+    if other.clock <= from {
+        (y, w) = flight::free(other, domain, from);
     } else {
-        (flight::free(me, domain, from), (other.position, other.velocity))
-    };
+        from = other.clock;
+        (x, v) = flight::free(me, domain, from);
+    }
     let span = root::spheres(&(x - y + image), &(v - w), me.radius + other.radius)?;
     Some(from + span)
 }

@@ -254,18 +254,11 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
         if self.own.time <= first.time && self.own.kind != EventKind::Nothing {
             first = self.own;
         }
-        // Which comes first nobody can guess: fields are chosen, not ways.
-        let out = &self.out_of_reach;
-        let is_out = (out.time < first.time) & (out.time <= S::LAST);
-        let choose = |a: u32, b: u32| if is_out { a } else { b };
-        ScheduledEvent {
-            time: if is_out { out.time } else { first.time },
-            kind: if is_out { out.kind } else { first.kind },
-            face: if is_out { out.face } else { first.face },
-            collision_time: if is_out { collision.collision_time } else { first.collision_time },
-            partner: if is_out { collision.partner } else { first.partner },
-            partner_event_count: choose(collision.partner_event_count, first.partner_event_count),
+        if self.out_of_reach.time < first.time && self.out_of_reach.time <= S::LAST {
+            let ScheduledEvent { time, kind, face, .. } = self.out_of_reach;
+            first = ScheduledEvent { time, kind, face, ..collision };
         }
+        first
     }
 }
 

@@ -69,7 +69,7 @@ fn is_also_the_partners<S: Scalar>(
 ) -> bool {
     event.with().as_grain().is_some_and(|k| {
         let other = queue.event(k);
-        (other.with() == Partner::grain(grain)) & (other.time == event.time)
+        other.with() == Partner::grain(grain) && other.time == event.time
     })
 }
 

@@ -63,12 +63,12 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     #[inline]
     fn collides_again(&self, grain: usize) -> bool {
         let (event, now) = (self.queue.event(grain), self.clock.now);
-        let Some(body) = self.particles.body(grain) else { return false };
+        let Some(body) = self.particles.body(grain).filter(|_| event.kind == EventKind::Collision)
+        else {
+            return false;
+        };
         let span = event.time - now;
-        // Seldom soon; of which kind it is comes as it comes.
-        let is_soon = (span <= now.rounding() * S::from_f32(8.0))
-            | (max_abs(&body.velocity) * span <= slack(body));
-        is_soon && event.kind == EventKind::Collision
+        span <= now.rounding() * S::from_f32(8.0) || max_abs(&body.velocity) * span <= slack(body)
     }
 
     #[inline(never)]

@@ -7,7 +7,7 @@ use carom::{Grain, HeapMemory, Scalar, World};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-/// Small grains on a lattice, and larger ones where there is room: as many of each radius as are given.
+/// Grains at random places without overlap: of each radius as many as are given, the largest first.
 struct Scene<S: Scalar, const D: usize> {
     grains: Vec<Grain<S, D>>,
     side: f64,
@@ -169,4 +169,27 @@ fn a_world_with_levels_goes_on_after_it_was_saved() {
         world.step().unwrap();
     }
     assert_eq!(world.digest(), there);
+}
+
+/// A small soft grain touches a large one, and a second one is so fast towards the large one from behind that it
+/// crowds them; it is in a cell that the first one does not look into. However neighbours are found, forces decide.
+#[test]
+fn who_crowds_the_larger_of_two_is_seen() {
+    let rule = Soft::linear_dashpot(damped_spring(), Outside::HardSphere);
+    // At some of these places of the large grain the two that touch are in one cell.
+    for shift in 0..40 {
+        let x = 8.0 + 0.05 * f64::from(shift);
+        let mut scene = two::<f64, 2>(24.0, [0, 900]);
+        let is_far =
+            |grain: &Grain<f64, 2>| (grain.position[0] - x).hypot(grain.position[1] - 12.0) > 2.5;
+        scene.grains.retain(is_far);
+        let grain = |radius, mass, dx: f64, v: f64| {
+            Grain::with_mass(radius, mass).at([x + dx, 12.0]).moving([v, 0.0])
+        };
+        let second = grain(0.1, 1.0, -1.46, 20.0);
+        let three = [grain(0.1, 1.0, 1.1005, -1.0), grain(1.0, 100.0, 0.0, 0.0), second];
+        scene.grains.splice(0..0, three);
+        let run = |heads| digests(&scene, rule, heads, 100).0;
+        assert!(run(4 * scene.grains.len()) == run(0), "{x}");
+    }
 }
