@@ -68,6 +68,7 @@ impl Real for f32 {
     fn to_f64(self) -> f64 {
         f64::from(self)
     }
+    #[inline]
     fn sqrt(self) -> Self {
         square_root::sqrtf(self)
     }
@@ -101,6 +102,7 @@ impl Real for f64 {
     fn to_f64(self) -> f64 {
         self
     }
+    #[inline]
     fn sqrt(self) -> Self {
         square_root::sqrt(self)
     }

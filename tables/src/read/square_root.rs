@@ -1,10 +1,17 @@
 //! What is a square root? Reads one value; writes the nearest to its root, by `libm` or by an instruction.
 //!
 //! Both round correctly, so both give the same bits. Where a processor has an instruction that stable Rust reaches,
-//! `libm` uses it, but for WebAssembly: there stable Rust has none for one number, only that for a register of several.
+//! `libm` uses it, but for WebAssembly, where stable Rust has none for one number, only that for a register of several,
+//! and for the units of microcontrollers: `carom-sqrt`.
 
-#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+#[cfg(not(any(
+    all(target_arch = "wasm32", target_feature = "simd128"),
+    all(target_arch = "arm", target_os = "none", target_abi = "eabihf")
+)))]
 pub(super) use libm::{sqrt, sqrtf};
+
+#[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
+pub(super) use {carom_sqrt::sqrtf, libm::sqrt};
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub(super) use register::{sqrt, sqrtf};
