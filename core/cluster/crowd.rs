@@ -47,7 +47,7 @@ pub(crate) fn is_crowded<S: Scalar, const D: usize>(
         }
         particles.cells.for_each_near(body.cell, body.radius, |k| {
             let is_third = parties.iter().all(|party| party.grain != k);
-            crowded = crowded || is_third && parties.iter().any(|party| crowd.nears(party, k));
+            crowded = crowded || is_third && crowd.nears(parties, k);
         });
     }
     crowded
@@ -74,7 +74,8 @@ impl<S: Scalar, const D: usize> Crowd<'_, S, D> {
         })
     }
 
-    fn nears(&self, party: &Party<'_, S, D>, k: usize) -> bool {
+    /// Whether grain `k` comes as near as that to one of them.
+    fn nears(&self, parties: &[Party<'_, S, D>], k: usize) -> bool {
         let Some(other) = self.particles.body(k) else { return false };
         let (position, velocity, sinks) = if other.is_supported() {
             let there = flight::at(other, self.domain, self.now);
@@ -83,11 +84,19 @@ impl<S: Scalar, const D: usize> Crowd<'_, S, D> {
             let (position, velocity) = flight::free(other, self.domain, self.now);
             (position, velocity, S::zero())
         };
-        let apart = self.domain.boundary.nearest(party.body.position - position);
-        let distance = norm(&apart);
-        let gap = distance - party.body.radius - other.radius;
-        let nears = S::dot(&apart, &(velocity - self.course.velocity)).divided_by(distance);
-        let room = (party.speed + nears.max(S::zero()) + sinks) * self.course.duration;
-        gap < room.min(crowd_gap(party.body.radius.max(other.radius)))
+        parties.iter().any(|Party { body, speed, .. }| {
+            let apart = self.domain.boundary.nearest(body.position - position);
+            let (touching, most) =
+                (body.radius + other.radius, crowd_gap(body.radius.max(other.radius)));
+            // Most are further off: seen without a root. Rounding is the exact test's affair.
+            let far = (touching + most) * (S::one() + S::from_f32(1.0 / 64.0));
+            if S::dot(&apart, &apart) > far.times(far) {
+                return false;
+            }
+            let distance = norm(&apart);
+            let nears = S::dot(&apart, &(velocity - self.course.velocity)).divided_by(distance);
+            let room = (*speed + nears.max(S::zero()) + sinks) * self.course.duration;
+            distance - touching < room.min(most)
+        })
     }
 }

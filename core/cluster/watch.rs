@@ -9,7 +9,7 @@ use super::members::Clusters;
 use super::settings::Settings;
 use crate::detect::{EventKind, ScheduledEvent, closing_speed, pair_collision, plane_collision};
 use crate::particle::{Body, Partner};
-use crate::scalar::{Scalar, WideProduct, dot, norm};
+use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
 use crate::space::{Domain, Particles, Plane, Surface, flight};
 
 /// The earliest collision of a clustered grain up to the end of its step.
@@ -34,6 +34,7 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
         limit: clusters.due(),
         grain,
         me,
+        here: flight::free(me, domain, now),
         fast,
         first: ScheduledEvent::NONE,
     };
@@ -56,6 +57,8 @@ struct Watch<'a, S: Scalar, const D: usize> {
     limit: S,
     grain: usize,
     me: &'a Body<S, D>,
+    /// Where it is now and how it flies until the step ends.
+    here: (Vector<S, D>, Vector<S, D>),
     /// A bound on the speed at which it nears another clustered grain.
     fast: S,
     first: ScheduledEvent<S>,
@@ -88,8 +91,7 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
 
     /// Whether a free grain may be touched before the step ends: a bound without roots. Both fly freely until then.
     fn may_reach(&self, other: &Body<S, D>) -> bool {
-        let [(x, v), (y, w)] =
-            [self.me, other].map(|body| flight::free(body, self.domain, self.now));
+        let ((x, v), (y, w)) = (&self.here, flight::free(other, self.domain, self.now));
         let (apart, velocity) = (self.domain.boundary.nearest(x - y), v - w);
         // Rounding is the root's affair. Negated so that what does not fit is asked there, too.
         let slack = S::one() + S::from_f32(1.0 / 64.0);
