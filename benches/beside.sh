@@ -34,7 +34,8 @@ prepare() { # case
     hs3d-108000) set -- "$1" 108000 0.2617993878 4 75 ;;
     hs3d-1000000) set -- "$1" 1000188 0.2617993878 1 130 ;;
     hs3d-dilute) set -- "$1" 13500 0.01 500 75 ;;
-    *) echo "beside.sh: $1 is none of hs3d-1372, -13500, -108000, -1000000, -dilute" >&2; exit 1 ;;
+    hs3d-dilute-0.001) set -- "$1" 13500 0.001 1000 75 ;;
+    *) echo "beside.sh: $1 is none of hs3d-1372, -13500, -108000, -1000000, -dilute, -dilute-0.001" >&2; exit 1 ;;
   esac
   build "$1" "$2" "$3" "$4" "$5"
   build "$1.start" "$2" "$3" 1e-9 "$5"

@@ -23,13 +23,14 @@ fn the_cases_are_those_that_were_asked_for() {
         ("hs3d-108000", 0.2618),
         ("hs3d-1000000", 0.2618),
         ("hs3d-dilute", 0.01),
+        ("hs3d-dilute-0.001", 0.001),
         ("emdstar-10000-0.001", 0.001),
         ("emdstar-10000-0.01", 0.01),
     ] {
         assert!((packing(name) / wanted - 1.0).abs() < 1e-4, "{name}: {}", packing(name));
     }
     assert_eq!(bench::named("emdstar-10000").len(), 2);
-    assert_eq!(bench::named("hs3d").len(), 5);
+    assert_eq!(bench::named("hs3d").len(), 6);
     assert!(bench::named("hs3d-13").is_empty());
 }
 

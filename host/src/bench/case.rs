@@ -50,8 +50,10 @@ pub struct Case {
 
 /// Number density of the hard-sphere cases: packing fraction 0.2618 in three dimensions, 0.3927 in two.
 const DENSITY: f64 = 0.5;
-/// Packing fraction 0.01 as a number density.
-const DILUTE: f64 = 0.01 * 6.0 / std::f64::consts::PI;
+/// A packing fraction of spheres of diameter 1 as a number density.
+const fn packed(fraction: f64) -> f64 {
+    fraction * 6.0 / std::f64::consts::PI
+}
 
 const C_CODE: &str = "C code (arXiv:2201.01100)";
 const DYNAMO: &str = "DynamO";
@@ -82,14 +84,18 @@ const fn sizes(name: &'static str, ratio: usize, large: usize) -> Case {
 }
 
 /// All cases, in the order in which they run.
-pub const ALL: [Case; 15] = [
+pub const ALL: [Case; 16] = [
     hard("hs3d-1372", 3, 1_372, 1_000_000, &[(C_CODE, 589e3), (DYNAMO, 140e3)]),
     hard("hs3d-13500", 3, 13_500, 1_000_000, &[(C_CODE, 516e3), (DYNAMO, 119e3)]),
     hard("hs3d-108000", 3, 108_000, 1_000_000, &[(C_CODE, 313e3), (DYNAMO, 70e3)]),
     hard("hs3d-1000000", 3, 1_000_000, 2_000_000, &[]),
     Case {
-        contact: Contact::Hard { density: DILUTE, restitution: 1.0 },
+        contact: Contact::Hard { density: packed(0.01), restitution: 1.0 },
         ..hard("hs3d-dilute", 3, 13_500, 500_000, &[(C_CODE, 206e3)])
+    },
+    Case {
+        contact: Contact::Hard { density: packed(0.001), restitution: 1.0 },
+        ..hard("hs3d-dilute-0.001", 3, 13_500, 100_000, &[])
     },
     Case {
         contact: Contact::Hard { density: DENSITY, restitution: 0.9 },
