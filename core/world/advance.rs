@@ -61,8 +61,21 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         instant: impl IntoInstant,
         events: u32,
     ) -> Result<bool, Error> {
+        self.advance_observed_with_budget(instant, events, &mut ())
+    }
+
+    /// As [`World::advance_with_budget`], observed.
+    ///
+    /// # Errors
+    /// As [`World::advance_to`].
+    pub fn advance_observed_with_budget(
+        &mut self,
+        instant: impl IntoInstant,
+        events: u32,
+        observer: &mut impl Observer<S, D>,
+    ) -> Result<bool, Error> {
         let asked = self.not_past(instant)?;
-        self.advance(asked, Some(events), &mut ())
+        self.advance(asked, Some(events), observer)
     }
 
     /// The next event that changes a trajectory happens, if it is not later than this instant; else the

@@ -14,6 +14,7 @@ pub mod commands;
 pub mod compare;
 pub mod divergence;
 pub mod figure;
+pub mod growing;
 pub mod heaps;
 pub mod integrated;
 pub mod method;
@@ -25,6 +26,7 @@ pub mod report;
 pub mod run;
 pub mod scale;
 pub mod scenario;
+pub mod session;
 pub mod sweep;
 pub mod tables;
 

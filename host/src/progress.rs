@@ -16,10 +16,13 @@ impl Progress {
         Self(styled(Bar::new(total).with_prefix(label.to_owned()), style))
     }
 
-    /// Nothing of a method's run is done; bars of several methods stand in line.
-    pub(crate) fn of_method(label: &str, total: u64) -> Self {
+    /// So much of a method's run is done already; bars of several methods stand in line.
+    pub(crate) fn of_method(label: &str, total: u64, done: u64) -> Self {
         let style = "{prefix:>9} [{bar:24}] {percent:>3} %  {msg}  {eta} left";
-        Self(styled(Bar::new(total).with_prefix(label.to_owned()), style))
+        let bar = Bar::new(total).with_prefix(label.to_owned()).with_position(done);
+        let bar = styled(bar, style);
+        bar.reset_eta();
+        Self(bar)
     }
 
     /// So many of all runs are done already.

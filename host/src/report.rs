@@ -1,37 +1,52 @@
 //! In which files does a run end up? Reads samples; writes CSV, extended XYZ and aligned text.
 
+use crate::growing::Growing;
 use crate::method::LoggedEvent;
-use crate::output::Draft;
 use crate::run::Sample;
 use crate::scenario::{MethodName, Scenario, Side, Start};
 use anyhow::Result;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// The files of one run, under temporary names until it is over.
+/// The files of one run by one method, as far as they have grown.
 #[derive(Debug)]
 pub struct Files {
-    names: Vec<PathBuf>,
+    names: Vec<String>,
     series: Series,
-    frames: Draft,
-    events: Option<csv::Writer<Draft>>,
+    frames: Growing,
+    events: Option<csv::Writer<Growing>>,
 }
 
 impl Files {
-    /// Opens NAME.csv and NAME.xyz, and NAME-events.csv if the scenario asks for it.
+    /// Begins NAME.csv and NAME.xyz, and NAME-events.csv if the scenario asks for it.
     ///
     /// # Errors
     /// When one cannot be made.
     pub fn new(folder: &Path, name: MethodName, scenario: &Scenario) -> Result<Self> {
-        let stem = name.file_stem();
-        let mut names =
-            vec![folder.join(format!("{stem}.csv")), folder.join(format!("{stem}.xyz"))];
-        let (series, frames) = (Series::new(&names[0])?, Draft::new(&names[1])?);
+        Self::from_lengths(folder, name, scenario, &[])
+    }
+
+    /// Goes on with the files as they were when they had these lengths ([`Files::secured`]).
+    ///
+    /// # Errors
+    /// When one is shorter or cannot be opened.
+    pub fn from_lengths(
+        folder: &Path,
+        name: MethodName,
+        scenario: &Scenario,
+        lengths: &[u64],
+    ) -> Result<Self> {
+        let names = names(name, scenario);
+        let length = |k: usize| lengths.get(k).copied().unwrap_or(0);
+        let open = |k: usize| Growing::from_length(&folder.join(&names[k]), length(k));
+        let series = Series { rows: csv::Writer::from_writer(open(0)?), begun: length(0) > 0 };
+        let frames = open(1)?;
         let mut events = None;
-        if scenario.options.events && matches!(name, MethodName::Emd | MethodName::EmdStar) {
-            names.push(folder.join(format!("{stem}-events.csv")));
-            let mut rows = csv::Writer::from_writer(Draft::new(&names[2])?);
-            events_head(&mut rows)?;
+        if names.len() > 2 {
+            let mut rows = csv::Writer::from_writer(open(2)?);
+            if length(2) == 0 {
+                events_head(&mut rows)?;
+            }
             events = Some(rows);
         }
         Ok(Self { names, series, frames, events })
@@ -50,41 +65,49 @@ impl Files {
         }
     }
 
-    /// The files appear; returns their names.
+    /// How long the files are. All of them is on the disk then.
     ///
     /// # Errors
-    /// When the last bytes cannot be written.
-    pub fn finish(self) -> Result<Vec<PathBuf>> {
-        self.series.finish()?;
-        self.frames.finish()?;
-        if let Some(rows) = self.events {
-            rows.into_inner().map_err(|error| error.into_error())?.finish()?;
+    /// When something cannot be written.
+    pub fn secured(&mut self) -> Result<Vec<u64>> {
+        self.frames.flush()?;
+        let mut lengths = vec![secured(&mut self.series.rows)?, self.frames.secured()?];
+        if let Some(rows) = &mut self.events {
+            lengths.push(secured(rows)?);
         }
-        Ok(self.names)
+        Ok(lengths)
     }
+
+    /// The names of the files in their folder.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+}
+
+fn names(name: MethodName, scenario: &Scenario) -> Vec<String> {
+    let stem = name.file_stem();
+    let mut names = vec![format!("{stem}.csv"), format!("{stem}.xyz")];
+    if scenario.options.events && matches!(name, MethodName::Emd | MethodName::EmdStar) {
+        names.push(format!("{stem}-events.csv"));
+    }
+    names
+}
+
+fn secured(rows: &mut csv::Writer<Growing>) -> Result<u64> {
+    rows.flush()?;
+    rows.get_ref().secured()
 }
 
 /// A time series as CSV: time, kinetic energy, collisions and the method's statistics.
 #[derive(Debug)]
-pub struct Series {
-    rows: csv::Writer<Draft>,
+struct Series {
+    rows: csv::Writer<Growing>,
     begun: bool,
 }
 
 impl Series {
-    /// Opens the file.
-    ///
-    /// # Errors
-    /// When it cannot be made.
-    pub fn new(file: &Path) -> Result<Self> {
-        Ok(Self { rows: csv::Writer::from_writer(Draft::new(file)?), begun: false })
-    }
-
     /// One row.
-    ///
-    /// # Errors
-    /// When it cannot be written.
-    pub fn add(&mut self, sample: &Sample) -> Result<()> {
+    fn add(&mut self, sample: &Sample) -> Result<()> {
         if !self.begun {
             let names = sample.statistics.iter().map(|(name, _)| *name);
             self.rows.write_record(
@@ -100,30 +123,15 @@ impl Series {
         row.extend(sample.statistics.iter().map(|(_, count)| count.to_string()));
         Ok(self.rows.write_record(row)?)
     }
-
-    /// The file appears.
-    ///
-    /// # Errors
-    /// When the last rows cannot be written.
-    pub fn finish(self) -> Result<()> {
-        let draft = self.rows.into_inner().map_err(|error| error.into_error())?;
-        draft.finish()
-    }
 }
 
 /// The header of an event log.
-///
-/// # Errors
-/// When it cannot be written.
-pub fn events_head(rows: &mut csv::Writer<Draft>) -> Result<()> {
+fn events_head(rows: &mut csv::Writer<Growing>) -> Result<()> {
     Ok(rows.write_record(["time", "event", "grain", "partner", "plane"])?)
 }
 
 /// The rows of an event log.
-///
-/// # Errors
-/// When they cannot be written.
-pub fn write_events(rows: &mut csv::Writer<Draft>, events: &[LoggedEvent]) -> Result<()> {
+fn write_events(rows: &mut csv::Writer<Growing>, events: &[LoggedEvent]) -> Result<()> {
     let number = |number: Option<usize>| number.map_or_else(String::new, |n| n.to_string());
     for event in events {
         rows.write_record([

@@ -1,10 +1,11 @@
-//! How does one method get from start to end? Reads a method and a scenario; hands out samples.
+//! How does one method get from start to end? Reads a method and a plan; hands out samples, and pauses in between.
 
 use crate::method::{LoggedEvent, Method};
 use crate::progress::Progress;
 use crate::scenario::{Placed, Scenario};
-use anyhow::Result;
-use std::time::{Duration, Instant};
+use anyhow::{Error, Result, anyhow};
+use serde::{Deserialize, Serialize};
+use std::time::Instant;
 
 /// The state of a method at one time.
 #[derive(Clone, Debug)]
@@ -25,6 +26,21 @@ pub struct Sample {
     pub events: Vec<LoggedEvent>,
 }
 
+impl Sample {
+    /// What a method has now.
+    pub fn take(method: &mut dyn Method, time: f64) -> Self {
+        Self {
+            time,
+            grains: method.grains(),
+            kinetic_energy: method.kinetic_energy(),
+            collisions: method.collisions(),
+            statistics: method.statistics(),
+            motions: method.motions(),
+            events: method.take_events(),
+        }
+    }
+}
+
 /// When a run ends, and at what times it is sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
@@ -35,6 +51,9 @@ pub struct Plan {
     /// Collisions to run, if the scenario gives them.
     pub collisions: u64,
 }
+
+/// So many samples without a collision: there will never be enough of them, or samples are too close.
+const IDLE: u64 = 100_000;
 
 impl Plan {
     /// The plan of a scenario.
@@ -63,10 +82,125 @@ impl Plan {
     }
 
     /// The instant of a sample: multiples of the interval, and the end.
-    pub fn instant(&self, number: u32) -> f64 {
-        let time = f64::from(number) * self.sample;
+    pub fn instant(&self, number: u64) -> f64 {
+        let time = number as f64 * self.sample;
         // A last interval that differs from the others by round-off only is no interval.
         if time > self.duration - 1e-9 * self.sample { self.duration } else { time }
+    }
+
+    /// Whether a run that has come so far is over.
+    fn is_over(&self, time: f64, collisions: u64) -> bool {
+        time >= self.duration || collisions >= self.collisions
+    }
+
+    /// What is wrong with a run that waits for collisions that do not come.
+    fn impatience(&self, position: &Position) -> Option<Error> {
+        let idle = position.sample - position.last_busy;
+        (self.collisions < u64::MAX && idle >= IDLE).then(|| {
+            let Self { sample, collisions, .. } = self;
+            anyhow!(
+                "sample is {sample}: there was no collision in the last {IDLE} samples, and collisions must be {collisions}; samples must be further apart, or nothing collides any more"
+            )
+        })
+    }
+}
+
+/// How far a run has come.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Position {
+    /// The number of the sample that comes next.
+    pub sample: u64,
+    /// Seconds that the method took, sampling excluded.
+    pub seconds: f64,
+    /// The last sample before which there was a collision, and how many there were.
+    last_busy: u64,
+    collisions: u64,
+}
+
+impl Position {
+    fn count(&mut self, collisions: u64) {
+        if collisions > self.collisions {
+            (self.last_busy, self.collisions) = (self.sample, collisions);
+        }
+        self.sample += 1;
+    }
+}
+
+/// How a run ended.
+#[derive(Debug)]
+#[must_use]
+pub enum Ended {
+    /// As planned.
+    Whole,
+    /// By an error of the method: what was sampled before is good.
+    BrokenOff(Error),
+}
+
+impl Ended {
+    /// A run that broke off is an error.
+    ///
+    /// # Errors
+    /// That of the method.
+    pub fn whole(self) -> Result<()> {
+        match self {
+            Self::Whole => Ok(()),
+            Self::BrokenOff(why) => Err(why),
+        }
+    }
+}
+
+/// Who attends a run.
+pub trait Attendant {
+    /// The method has come to a sample.
+    ///
+    /// # Errors
+    /// Ends the run.
+    fn sample(&mut self, method: &mut dyn Method, time: f64) -> Result<()>;
+
+    /// The method has worked a little, and would go on.
+    ///
+    /// # Errors
+    /// Ends the run.
+    fn pause(&mut self, method: &mut dyn Method, position: &Position) -> Result<()> {
+        let _ = (method, position);
+        Ok(())
+    }
+}
+
+/// Events between two pauses: a hundredth of a second or so.
+const EVENTS: u32 = 10_000;
+
+/// Runs a method from where it stands to its end.
+///
+/// # Errors
+/// An error of the attendant.
+pub fn attend(
+    method: &mut dyn Method,
+    plan: &Plan,
+    position: &mut Position,
+    attendant: &mut impl Attendant,
+) -> Result<Ended> {
+    loop {
+        let time = plan.instant(position.sample);
+        loop {
+            let begin = Instant::now();
+            let advanced = method.advance_within(time, EVENTS);
+            position.seconds += begin.elapsed().as_secs_f64();
+            match advanced {
+                Ok(true) => break,
+                Ok(false) => attendant.pause(method, position)?,
+                Err(why) => return Ok(Ended::BrokenOff(why)),
+            }
+        }
+        attendant.sample(method, time)?;
+        position.count(method.collisions());
+        if plan.is_over(time, method.collisions()) {
+            return Ok(Ended::Whole);
+        }
+        if let Some(why) = plan.impatience(position) {
+            return Ok(Ended::BrokenOff(why));
+        }
+        attendant.pause(method, position)?;
     }
 }
 
@@ -77,60 +211,66 @@ impl Plan {
 pub fn drive(
     method: &mut dyn Method,
     plan: &Plan,
-    mut each: impl FnMut(&Sample) -> Result<()>,
+    each: impl FnMut(&Sample) -> Result<()>,
 ) -> Result<f64> {
-    let progress = RunProgress::new(method.name().label(), plan);
-    let mut cost = Duration::ZERO;
-    for number in 0.. {
-        let time = plan.instant(number);
-        let begin = Instant::now();
-        method.advance_to(time)?;
-        cost += begin.elapsed();
-        let sample = take_sample(method, time);
-        each(&sample)?;
-        progress.show(&sample);
-        if time >= plan.duration || sample.collisions >= plan.collisions {
-            break;
-        }
-    }
-    Ok(cost.as_secs_f64())
+    let mut position = Position::default();
+    let progress = RunProgress::new(method, plan);
+    attend(method, plan, &mut position, &mut Shown { each, progress })?.whole()?;
+    Ok(position.seconds)
 }
 
-fn take_sample(method: &mut dyn Method, time: f64) -> Sample {
-    Sample {
-        time,
-        grains: method.grains(),
-        kinetic_energy: method.kinetic_energy(),
-        collisions: method.collisions(),
-        statistics: method.statistics(),
-        motions: method.motions(),
-        events: method.take_events(),
+/// Hands samples on and shows how far it is.
+struct Shown<F> {
+    each: F,
+    progress: RunProgress,
+}
+
+impl<F: FnMut(&Sample) -> Result<()>> Attendant for Shown<F> {
+    fn sample(&mut self, method: &mut dyn Method, time: f64) -> Result<()> {
+        (self.each)(&Sample::take(method, time))
+    }
+
+    fn pause(&mut self, method: &mut dyn Method, _: &Position) -> Result<()> {
+        self.progress.show(method);
+        Ok(())
     }
 }
 
 /// How much of a plan is done, on a progress bar.
-struct RunProgress {
+#[derive(Debug)]
+pub struct RunProgress {
     bar: Progress,
     begin: Instant,
+    /// Collisions before.
+    before: u64,
     plan: Plan,
 }
 
 const PARTS: u64 = 10_000;
 
 impl RunProgress {
-    fn new(label: &'static str, plan: &Plan) -> Self {
-        Self { bar: Progress::of_method(label, PARTS), begin: Instant::now(), plan: *plan }
+    /// A method that stands somewhere in its plan.
+    pub fn new(method: &dyn Method, plan: &Plan) -> Self {
+        let label = method.name().label();
+        let bar = Progress::of_method(label, PARTS, done(method, plan));
+        Self { bar, begin: Instant::now(), before: method.collisions(), plan: *plan }
     }
 
-    fn show(&self, sample: &Sample) {
-        let part = if self.plan.duration.is_finite() {
-            sample.time / self.plan.duration
-        } else {
-            sample.collisions as f64 / self.plan.collisions as f64
-        };
-        let seconds = self.begin.elapsed().as_secs_f64().max(1e-9);
-        let rate = sample.collisions as f64 / seconds;
-        self.bar.set_message(format!("{} collisions, {rate:.0}/s", sample.collisions));
-        self.bar.set((part * PARTS as f64) as u64);
+    /// It has come further.
+    pub fn show(&self, method: &dyn Method) {
+        let (seconds, collisions) = (self.begin.elapsed().as_secs_f64(), method.collisions());
+        let rate = (collisions - self.before) as f64 / seconds.max(1e-9);
+        self.bar.set_message(format!("{collisions} collisions, {rate:.0}/s"));
+        self.bar.set(done(method, &self.plan));
     }
+}
+
+/// How many of all parts are done.
+fn done(method: &dyn Method, plan: &Plan) -> u64 {
+    let part = if plan.duration.is_finite() {
+        method.time() / plan.duration
+    } else {
+        method.collisions() as f64 / plan.collisions as f64
+    };
+    (part * PARTS as f64) as u64
 }

@@ -239,6 +239,12 @@ fn bad_sweeps_are_refused_in_one_line() {
         ("scenario = \"gas.toml\"", "scenario = \"none.toml\"", "cannot read"),
         ("seeds = {", "seed = {", "line 4: unknown field `seed`"),
         ("count = 5", "count = 0", "seeds has no values, must have at least 1"),
+        ("count = 5", "count = 1000000000", "seeds: count is 1000000000, must be at most 10000000"),
+        (
+            "from = 1,",
+            "from = 9223372036854775805,",
+            "seeds: from is 9223372036854775805, must be at most 9223372036854775802 with 5 values",
+        ),
         (
             "[0.05, 0.2]",
             "[0.05, -0.2]",

@@ -24,6 +24,16 @@ pub trait Method {
     /// An error of the method.
     fn advance_to(&mut self, time: f64) -> Result<()>;
 
+    /// As [`Method::advance_to`], but after so many events it may stop: false if it has not arrived then.
+    /// In how many calls it arrives changes nothing.
+    ///
+    /// # Errors
+    /// An error of the method.
+    fn advance_within(&mut self, time: f64, events: u32) -> Result<bool> {
+        let _ = events;
+        self.advance_to(time).map(|()| true)
+    }
+
     /// All grains as they are now, inside the box where it is periodic.
     fn grains(&self) -> Vec<Placed>;
 
@@ -96,6 +106,13 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             None => self.world.advance_to(time)?,
         }
         Ok(())
+    }
+
+    fn advance_within(&mut self, time: f64, events: u32) -> Result<bool> {
+        Ok(match &mut self.log {
+            Some(log) => self.world.advance_observed_with_budget(time, events, log)?,
+            None => self.world.advance_with_budget(time, events)?,
+        })
     }
 
     fn grains(&self) -> Vec<Placed> {

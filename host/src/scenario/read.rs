@@ -60,6 +60,7 @@ fn check(scenario: &Scenario) -> Result<()> {
     scenario.gravity.iter().try_for_each(|g| finite("gravity", *g))?;
     check_end(scenario)?;
     positive("sample", scenario.sample)?;
+    check_sample(scenario)?;
     scenario.options.exact_until.map_or(Ok(()), |t| positive("options.exact_until", t))?;
     not_negative("options.tc", scenario.options.tc)?;
     law(&scenario.law)?;
@@ -81,6 +82,18 @@ fn check_end(scenario: &Scenario) -> Result<()> {
         (None, Some(_)) => Ok(()),
         _ => bail!("give one of duration [s] and collisions"),
     }
+}
+
+/// More samples than this are a slip of the pen.
+const MAX_SAMPLES: f64 = 1e7;
+
+fn check_sample(scenario: &Scenario) -> Result<()> {
+    let (sample, duration) = (scenario.sample, scenario.duration.unwrap_or(0.0));
+    if duration / sample > MAX_SAMPLES {
+        let least = duration / MAX_SAMPLES;
+        bail!("sample is {sample:?}, must be at least {least:?}: duration in {MAX_SAMPLES} parts");
+    }
+    Ok(())
 }
 
 fn law(law: &LawSpec) -> Result<()> {

@@ -279,12 +279,23 @@ fn along(name: &str, path: &str, value: &Value) -> Result<Axis> {
 }
 
 impl Range {
+    /// Whole numbers, one after the other.
+    fn whole(&self, name: &str, from: i64) -> Result<Vec<Value>> {
+        let count = i64::from(self.count);
+        if from.checked_add(count).is_none() {
+            let most = i64::MAX - count;
+            bail!("{name}: from is {from}, must be at most {most} with {count} values");
+        }
+        Ok((from..from + count).map(Value::Integer).collect())
+    }
+
     fn values(&self, name: &str) -> Result<Vec<Value>> {
+        if self.count as usize > MAX_RUNS {
+            bail!("{name}: count is {}, must be at most {MAX_RUNS}; split the sweep", self.count);
+        }
         let last = f64::from(self.count) - 1.0;
         let from = match (&self.from, self.to) {
-            (Value::Integer(from), None) => {
-                return Ok((0..i64::from(self.count)).map(|k| Value::Integer(from + k)).collect());
-            }
+            (Value::Integer(from), None) => return self.whole(name, *from),
             (Value::Integer(from), Some(_)) => *from as f64,
             (Value::Float(from), Some(_)) => *from,
             _ => bail!(

@@ -3,7 +3,7 @@
 use super::plan::Run;
 use super::table::{Cell, Column, Kind, Source};
 use crate::method::{self, Method};
-use crate::run::Plan;
+use crate::run::{self, Attendant, Plan, Position};
 use crate::scenario::Start;
 use anyhow::{Context, Result, anyhow, bail};
 use serde::{Deserialize, Serialize};
@@ -53,11 +53,12 @@ pub fn execute(number: usize, run: &Run) -> Done {
     }
 }
 
-fn finish(number: usize, run: &Run) -> Result<Done> {
-    let start = Start::new(&run.scenario)?;
-    method::with(run.method, &run.scenario, &start, |method| {
+fn finish(number: usize, asked: &Run) -> Result<Done> {
+    let start = Start::new(&asked.scenario)?;
+    method::with(asked.method, &asked.scenario, &start, |method| {
         let before = method.kinetic_energy();
-        advance(method, &Plan::new(&run.scenario))?;
+        let (plan, mut position) = (Plan::new(&asked.scenario), Position::default());
+        run::attend(method, &plan, &mut position, &mut Alone)?.whole()?;
         let whole = |count: u64| Cell::Whole(i64::try_from(count).unwrap_or(i64::MAX));
         let cells = vec![
             whole(start.grains.len() as u64),
@@ -73,16 +74,13 @@ fn finish(number: usize, run: &Run) -> Result<Done> {
     })
 }
 
-/// Goes on from sample to sample until the scenario is over, as `carom run` does.
-fn advance(method: &mut dyn Method, plan: &Plan) -> Result<()> {
-    for sample in 0.. {
-        let time = plan.instant(sample);
-        method.advance_to(time)?;
-        if time >= plan.duration || method.collisions() >= plan.collisions {
-            break;
-        }
+/// Nobody looks on.
+struct Alone;
+
+impl Attendant for Alone {
+    fn sample(&mut self, _: &mut dyn Method, _: f64) -> Result<()> {
+        Ok(())
     }
-    Ok(())
 }
 
 fn number_cell(number: f64) -> Cell {
