@@ -136,7 +136,7 @@ pub(crate) fn join<S: Scalar, const D: usize>(
 }
 
 /// Grain `i` flies freely from now on.
-pub(super) fn leave<S: Scalar, const D: usize>(
+pub(crate) fn leave<S: Scalar, const D: usize>(
     particles: &mut Particles<'_, S, D>,
     clusters: &mut Clusters<S>,
     (i, now): (usize, S),

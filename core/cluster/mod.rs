@@ -11,7 +11,7 @@ mod watch;
 
 pub(crate) use crowd::{Course, Party, is_crowded};
 pub(crate) use forces::{Crush, MAX_COLLISIONS};
-pub(crate) use members::{Clusters, join, wake};
+pub(crate) use members::{Clusters, join, leave, wake};
 pub(crate) use settings::Settings;
 pub(crate) use step::{settle, step};
 pub(crate) use watch::next_event;

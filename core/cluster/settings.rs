@@ -62,7 +62,7 @@ impl<S: Scalar> Settings<S> {
         self.enduring = rule.enduring().unwrap_or(self.enduring);
         let mut fastest = S::zero();
         self.smallest = [S::NEVER; 2];
-        for body in bodies {
+        for body in bodies.iter().filter(|body| !body.is_vacant()) {
             let [radius, mass] = self.smallest;
             self.smallest = [radius.min(body.radius), mass.min(body.mass)];
             fastest = fastest.max(norm(&body.velocity));
@@ -82,6 +82,21 @@ impl<S: Scalar> Settings<S> {
         self
     }
 
+    /// The same with one grain more, which is among these bodies.
+    pub fn with_grain<const D: usize, R: Rule<S>>(
+        mut self,
+        rule: &R,
+        grain: &Body<S, D>,
+        bodies: &[Body<S, D>],
+    ) -> Self {
+        let [radius, mass] = self.smallest;
+        self.smallest = [radius.min(grain.radius), mass.min(grain.mass)];
+        self.is_rule_instantaneous |= self.has_pair(rule, bodies, false);
+        self.has_instantaneous |= self.is_rule_instantaneous;
+        self.has_forces |= self.has_pair(rule, bodies, true);
+        self
+    }
+
     /// Whether two of these grains may have a force law, or none. Of more than 16 materials some may.
     fn has_pair<const D: usize, R: Rule<S>>(
         &self,
@@ -90,7 +105,7 @@ impl<S: Scalar> Settings<S> {
         with_force: bool,
     ) -> bool {
         let mut materials = heapless::Vec::<u8, 16>::new();
-        for body in bodies {
+        for body in bodies.iter().filter(|body| !body.is_vacant()) {
             if !materials.contains(&body.material) && materials.push(body.material).is_err() {
                 return true;
             }

@@ -58,6 +58,18 @@ impl<S: Scalar, const D: usize> Body<S, D> {
         consecutive_collisions: 0,
     };
 
+    /// An empty place among grains, for one that is added later.
+    pub(crate) fn vacant(clock: S, event_count: u32) -> Self {
+        let (contact_end, reference_time) = (S::NEVER, -S::NEVER);
+        let partner = Partner::NOTHING;
+        Self { clock, contact_end, reference_time, partner, event_count, ..Self::VACANT }
+    }
+
+    /// Whether no grain is in this place.
+    pub(crate) fn is_vacant(&self) -> bool {
+        self.mass == S::ZERO
+    }
+
     /// The grain at the start of its clock, in contact with nothing.
     pub(crate) fn new(grain: &Grain<S, D>) -> Self {
         Self {

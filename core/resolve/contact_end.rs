@@ -42,7 +42,10 @@ pub(super) fn end_in_time<S: Scalar, const D: usize>(
 }
 
 /// E^v for grain `i`, and for its partner too if they are released as a pair: then true.
-fn end<S: Scalar, const D: usize>(context: &mut Context<'_, '_, S, D>, i: usize) -> bool {
+pub(crate) fn end<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    i: usize,
+) -> bool {
     let partner = context.particles.body(i).and_then(|body| body.partner.as_grain());
     let paired = context.parameters.release == Release::Paired;
     let partner = partner.filter(|&k| paired && context.particles.are_in_contact(i, k));

@@ -23,6 +23,7 @@ mod supported_collision;
 mod wake;
 
 pub(crate) use broken_contact::cluster as cluster_contact;
+pub(crate) use contact_end::end as end_contact;
 pub(crate) use context::Context;
 pub use effects::EventOutcome;
 pub(crate) use effects::{Effects, Incident};
@@ -32,3 +33,4 @@ pub(crate) use parameters::Parameters;
 pub use parameters::Release;
 pub(crate) use simultaneous_collision::{Crowd, Grains, slack};
 pub(crate) use support::{lies_on, min_hop_time};
+pub(crate) use wake::let_go;

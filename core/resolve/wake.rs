@@ -45,15 +45,20 @@ pub(super) fn woke<S: Scalar, const D: usize>(context: &mut Context<'_, '_, S, D
     context.effects.wake(x);
 }
 
+/// Nothing supports grain `i` any longer.
+pub(crate) fn let_go<S: Scalar, const D: usize>(context: &mut Context<'_, '_, S, D>, i: usize) {
+    let free = context.present(i).awake();
+    context.replace(i, free);
+    woke(context, i);
+}
+
 /// The plate that carries grain `i` falls away faster than the grain does.
 pub(super) fn take_off<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     i: usize,
 ) -> EventOutcome<S> {
     context.effects.predict_anew(i);
-    let free = context.present(i).awake();
-    context.replace(i, free);
-    woke(context, i);
+    let_go(context, i);
     EventOutcome::TookOff
 }
 

@@ -106,6 +106,21 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         }
     }
 
+    /// An empty place is visited by nobody. What is in it has been taken out of its list.
+    #[expect(clippy::cast_possible_truncation, reason = "the builder refuses more than MAX_GRAINS")]
+    pub fn vacate(&mut self, grain: usize) {
+        if let Some(link) = self.links.get_mut(grain) {
+            *link = Link { next: END, previous: grain as u32 };
+        }
+    }
+
+    /// The place is a grain's again.
+    pub fn occupy(&mut self, grain: usize) {
+        if let Some(link) = self.links.get_mut(grain) {
+            *link = Link::default();
+        }
+    }
+
     /// Visits all grains that one of this radius in this cell can see; all grains, if there is no grid.
     pub fn for_each_near(&self, cell: u32, radius: S, mut visit: impl FnMut(usize)) {
         self.batches((&self.coordinates(cell), radius), END, &mut |batch: &NeighbourBatch| {
@@ -127,7 +142,7 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         filler: u32,
         visit: &mut dyn FnMut(&NeighbourBatch),
     ) {
-        let Some(grid) = &self.grid else { return everyone(self.links.len(), filler, visit) };
+        let Some(grid) = &self.grid else { return everyone(self.links, filler, visit) };
         if self.in_levels(grid, (at, radius, None), filler, visit) {
             self.within(&grid.around(at), filler, visit);
         }
@@ -268,12 +283,16 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
 }
 
 /// Visits all grains.
-#[expect(clippy::cast_possible_truncation, reason = "the builder refuses more than MAX_GRAINS")]
-fn everyone(grains: usize, filler: u32, visit: &mut dyn FnMut(&NeighbourBatch)) {
-    for first in (0..grains).step_by(BATCH) {
+fn everyone(links: &[Link], filler: u32, visit: &mut dyn FnMut(&NeighbourBatch)) {
+    let mut grain = 0;
+    for some in links.chunks(BATCH) {
         let mut batch = NeighbourBatch::new(filler, false);
-        batch.grains = core::array::from_fn(|i| (first + i) as u32);
-        batch.count = BATCH.min(grains - first);
+        for link in some {
+            // In an empty place a link names itself.
+            put(&mut batch.grains, batch.count, grain);
+            batch.count += usize::from(link.previous != grain);
+            grain += 1;
+        }
         batch.flush(filler, visit);
     }
 }

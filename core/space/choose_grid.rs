@@ -77,7 +77,7 @@ fn extent<S: Scalar, const D: usize>(
         return [p.low, p.low + p.length];
     }
     let (mut low, mut high) = (S::NEVER, -S::NEVER);
-    for body in bodies {
+    for body in bodies.iter().filter(|body| !body.is_vacant()) {
         if let Some(&x) = body.position.get(axis) {
             low = low.min(x - body.radius);
             high = high.max(x + body.radius);

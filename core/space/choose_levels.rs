@@ -18,7 +18,8 @@ pub(crate) fn choose_cells<S: Scalar, const D: usize>(
     sight: Sight,
     most: usize,
 ) -> (Option<Grid<S, D>>, Levels<D>) {
-    let radii = bodies.iter().map(|body| body.radius.to_f64());
+    let grains = bodies.iter().filter(|body| !body.is_vacant());
+    let radii = grains.map(|body| body.radius.to_f64());
     let largest = radii.fold(0.0, f64::max);
     levels(boundary, bodies, (sight, largest), most).map_or_else(
         || {

@@ -96,7 +96,8 @@ impl<const D: usize> Levels<D> {
         sight: Sight,
         most: usize,
     ) -> Option<Self> {
-        let radii = || bodies.iter().map(|body| body.radius.to_f64());
+        let grains = || bodies.iter().filter(|body| !body.is_vacant());
+        let radii = || grains().map(|body| body.radius.to_f64());
         let largest = radii().fold(0.0, f64::max);
         let axes = grid.axes().iter().filter(|along| along.periodic || along.count > 1);
         let width = axes.fold(f64::INFINITY, |width, along| width.min(along.width.to_f64()));

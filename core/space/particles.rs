@@ -89,6 +89,30 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
         self.replace(boundary, grain, body);
     }
 
+    /// Puts a grain into an empty place, and into its cell.
+    pub fn occupy(&mut self, place: usize, body: Body<S, D>) {
+        let cell = self.cells.grid.as_ref().map_or(0, |grid| grid.locate(&body.position));
+        self.cells.occupy(place);
+        if self.cells.grid.is_some() {
+            let list = self.cells.list(cell, body.radius);
+            self.cells.insert(place, list);
+        }
+        self.put(place, Body { cell, ..body });
+    }
+
+    /// Takes a grain out of its cell; its place is empty from now on.
+    pub fn vacate(&mut self, grain: usize, now: S) {
+        let Some(Body { cell, radius, event_count, .. }) = self.body(grain).copied() else {
+            return;
+        };
+        if self.cells.grid.is_some() {
+            let list = self.cells.list(cell, radius);
+            self.cells.remove(grain, list);
+        }
+        self.cells.vacate(grain);
+        self.put(grain, Body::vacant(now, event_count));
+    }
+
     /// Lets a grain cross into the next cell. Its trajectory stays the same; only its image may change.
     pub fn cross(&mut self, boundary: &Boundary<'_, S, D>, grain: usize, face: CellFace) {
         let Some(body) = self.bodies.get_mut(grain) else { return };
@@ -126,7 +150,9 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
     /// Puts every grain into its cell, by its position at the start.
     fn fill_cells(&mut self) {
         for (i, body) in self.bodies.iter_mut().enumerate() {
-            if let Some(grid) = &self.cells.grid {
+            if body.is_vacant() {
+                self.cells.vacate(i);
+            } else if let Some(grid) = &self.cells.grid {
                 body.cell = grid.locate(&body.position);
                 let list = self.cells.list(body.cell, body.radius);
                 self.cells.insert(i, list);
@@ -151,6 +177,10 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
         }
         for i in 0..self.bodies.len() {
             let body = self.present(i, domain, now);
+            if body.is_vacant() {
+                self.cells.vacate(i);
+                continue;
+            }
             if !grid.as_ref().is_none_or(|grid| grid.holds(body.cell, &body.position)) {
                 let wanted = "the number of the cell that it is in";
                 return Err(Error::input(Subject::Grain(i), "cell", f64::from(body.cell), wanted));

@@ -8,7 +8,6 @@ use crate::cluster::{Clusters, Settings};
 use crate::detect::ScheduledEvent;
 use crate::error::{Error, Subject};
 use crate::law::{Enduring, Rule};
-use crate::particle::{Body, Grain};
 use crate::resolve::{Parameters, Release, min_hop_time};
 use crate::scalar::{Clock, Instant, Scalar, Vector};
 use crate::schedule::EventQueue;
@@ -23,8 +22,8 @@ pub struct NoRule;
 
 /// A world being described. See [`World::builder`].
 pub struct WorldBuilder<'m, S: Scalar, const D: usize, R> {
-    buffers: Buffers<'m, S, D>,
-    count: usize,
+    pub(super) buffers: Buffers<'m, S, D>,
+    pub(super) count: usize,
     pub(super) boundary: Boundary<'m, S, D>,
     pub(super) gravity: Vector<S, D>,
     release: Release,
@@ -205,32 +204,6 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
         WorldBuilder { buffers, count, boundary, gravity, release, t_c, settings, rule, error }
     }
 
-    /// One more grain.
-    ///
-    /// # Errors
-    /// [`Error::Full`] if the memory holds no more, [`Error::Input`] that names the grain and its field.
-    pub fn grain(mut self, grain: Grain<S, D>) -> Result<Self, Error> {
-        check_input::grain(&grain, self.count)?;
-        let capacity = self.buffers.capacity();
-        let full =
-            Error::Full { knob: "the memory (N of Memory, or the host's vectors)", capacity };
-        if self.count >= capacity.min(EventQueue::<S>::MAX_GRAINS) {
-            return Err(full);
-        }
-        let place = self.buffers.bodies.get_mut(self.count).ok_or(full)?;
-        *place = Body::new(&grain);
-        self.count += 1;
-        Ok(self)
-    }
-
-    /// Many more grains.
-    ///
-    /// # Errors
-    /// As [`WorldBuilder::grain`].
-    pub fn grains(self, grains: impl IntoIterator<Item = Grain<S, D>>) -> Result<Self, Error> {
-        grains.into_iter().try_fold(self, Self::grain)
-    }
-
     fn note(&mut self, checked: Result<(), Error>) {
         if self.error.is_none() {
             self.error = checked.err();
@@ -270,11 +243,11 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         let accelerations = accelerations.get_mut(..clustered).unwrap_or_default();
         let largest_radius = largest_radius(bodies);
         check_input::space(&boundary, &self.gravity, largest_radius)?;
-        for (i, body) in bodies.iter_mut().enumerate() {
+        for (i, body) in bodies.iter_mut().enumerate().filter(|(_, body)| !body.is_vacant()) {
             body.position = boundary.to_lattice(boundary.wrap_from_far(body.position));
             check_input::inside(&boundary, i, body)?;
         }
-        check_scales::scales(&boundary, &self.gravity, bodies)?;
+        check_scales::scales(&boundary, &self.gravity, (0, bodies))?;
         events.fill(ScheduledEvent::NONE);
         let settings = self.settings.adopted(&self.rule, &boundary, &self.gravity, bodies);
         if settings.is_integrated(&self.rule) {

@@ -119,23 +119,36 @@ pub(super) fn overlaps<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
     now: S,
 ) -> Result<(), Error> {
+    for (a, body) in particles.bodies.iter().enumerate().filter(|(_, body)| !body.is_vacant()) {
+        overlaps_of(particles, domain, (a, body), now, |b| b < a)?;
+    }
+    Ok(())
+}
+
+/// The same of one grain and those others that count. All are taken as they are now.
+pub(super) fn overlaps_of<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    (a, body): (usize, &Body<S, D>),
+    now: S,
+    counts: impl Fn(usize) -> bool,
+) -> Result<(), Error> {
     let ends = domain.boundary.periodic_axes().map(|(_, p)| (p.low, p.low + p.length));
     let far =
         ends.fold(particles.largest_radius, |far, (low, high)| far.max(low.abs()).max(high.abs()));
-    for (a, body) in particles.bodies.iter().enumerate() {
-        let mut checked = Ok(());
-        particles.cells.for_each_near(body.cell, body.radius, |b| {
-            if let Some(other) = particles.body(b).filter(|_| b < a && checked.is_ok()) {
-                let apart = domain.separation(body, other);
-                let gap = norm(&apart) - (body.radius + other.radius);
-                checked = refuse_overlap((a, body), Partner::grain(b), gap, far);
-            }
-        });
-        checked?;
-        for (p, plane) in domain.boundary.planes().iter().enumerate() {
-            let gap = plane.gap(&body.position, body.radius, now);
-            refuse_overlap((a, body), Partner::plane(p), gap, far)?;
+    let mut checked = Ok(());
+    particles.cells.for_each_near(body.cell, body.radius, |b| {
+        if counts(b) && b < particles.bodies.len() && checked.is_ok() {
+            let other = particles.present(b, domain, now);
+            let apart = domain.separation(body, &other);
+            let gap = norm(&apart) - (body.radius + other.radius);
+            checked = refuse_overlap((a, body), Partner::grain(b), gap, far);
         }
+    });
+    checked?;
+    for (p, plane) in domain.boundary.planes().iter().enumerate() {
+        let gap = plane.gap(&body.position, body.radius, now);
+        refuse_overlap((a, body), Partner::plane(p), gap, far)?;
     }
     Ok(())
 }
@@ -162,7 +175,7 @@ fn fits<S: Scalar>(subject: Subject, field: &'static str, value: S) -> Result<()
     }
 }
 
-fn finite<S: Scalar, const D: usize>(
+pub(super) fn finite<S: Scalar, const D: usize>(
     subject: Subject,
     field: &'static str,
     v: &Vector<S, D>,

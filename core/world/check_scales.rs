@@ -15,14 +15,14 @@ const SPEED: &str = "a speed whose square, and whose square times that of every 
 const GRAVITY: &str =
     "so weak that its product with every length is the square of a speed that fits";
 
-/// Every length, the largest speed, and products of both must have squares. Fixed point has limits of its own.
+/// Of bodies with numbers from this one on: every length, the largest speed, and products of both must have squares. Fixed point has limits of its own.
 ///
 /// Not inlined: its stack is free again before the world is put together.
 #[inline(never)]
 pub(super) fn scales<S: Scalar, const D: usize>(
     boundary: &Boundary<S, D>,
     gravity: &Vector<S, D>,
-    bodies: &[Body<S, D>],
+    (number, bodies): (usize, &[Body<S, D>]),
 ) -> Result<(), Error> {
     if S::RANGE.is_some() {
         return Ok(());
@@ -34,7 +34,7 @@ pub(super) fn scales<S: Scalar, const D: usize>(
     for plane in boundary.planes() {
         far = far.max(plane.offset.abs());
     }
-    for (i, body) in bodies.iter().enumerate() {
+    for (i, body) in (number..).zip(bodies).filter(|(_, body)| !body.is_vacant()) {
         let place = max_abs(&body.position);
         refuse(Subject::Grain(i), "radius", body.radius, has_square(body.radius), LENGTH)?;
         let fits = place <= body.radius || has_square(place);
@@ -52,7 +52,7 @@ pub(super) fn scales<S: Scalar, const D: usize>(
         return Ok(());
     }
     let grain = bodies.iter().position(|body| max_abs(&body.velocity) == fastest);
-    refuse(Subject::Grain(grain.unwrap_or(0)), "velocity", fastest, false, SPEED)
+    refuse(Subject::Grain(number + grain.unwrap_or(0)), "velocity", fastest, false, SPEED)
 }
 
 /// Called, not inlined: the start of a world is not to take flash.

@@ -40,6 +40,10 @@ pub(super) fn check<S: Scalar, const D: usize>(
 }
 
 fn check_body<S: Scalar, const D: usize>(i: usize, body: &Body<S, D>, now: S) -> Result<(), Error> {
+    if body.is_vacant() && *body != Body::vacant(body.clock, body.event_count) {
+        let wanted = "above 0, or 0 in an empty place with nothing else";
+        return Err(Error::input(Subject::Grain(i), "mass", 0.0, wanted));
+    }
     let no = |field, value: S, wanted| {
         Err(Error::input(Subject::Grain(i), field, value.to_f64(), wanted))
     };

@@ -2,12 +2,14 @@
 
 mod advance;
 mod builder;
+mod change;
 mod check_input;
 mod check_scales;
 mod check_snapshot;
 mod digest;
 mod gravity;
 mod observe;
+mod places;
 mod predictions;
 mod searches;
 mod snapshot;

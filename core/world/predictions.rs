@@ -49,6 +49,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     pub(super) fn predict_all(&mut self) {
         for i in 0..self.particles.bodies.len() {
             let event = match self.queue.event(i).kind {
+                _ if self.particles.body(i).is_some_and(Body::is_vacant) => ScheduledEvent::NONE,
                 EventKind::SupportCheck => {
                     ScheduledEvent::alone(self.clock.now, EventKind::SupportCheck)
                 }

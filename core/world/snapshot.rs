@@ -90,8 +90,12 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         check_snapshot::check_clusters(&saved.clusters, saved.now)?;
         check_snapshot::check_statistics(&saved.statistics)?;
         check_snapshot::check_mode(rule.enduring(), saved.settings.enduring)?;
+        let builder = World::builder(memory).rule(rule);
         let mut builder =
-            World::builder(memory).rule(rule).grains(bodies.iter().map(Body::as_grain))?;
+            bodies.iter().try_fold(builder, |builder, body| match body.is_vacant() {
+                true => builder.reserve(1),
+                false => builder.grain(body.as_grain()),
+            })?;
         if !builder.boundary.restore(&saved.boundary) {
             return Err(builder.too_many_planes());
         }

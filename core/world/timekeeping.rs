@@ -44,7 +44,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         self.statistics.epochs += 1;
         let (present, now) = (self.clock.now, self.clock.now - back);
         for body in self.particles.bodies.iter_mut() {
-            flight::advance(body, &self.domain, present);
+            if !body.is_vacant() {
+                flight::advance(body, &self.domain, present);
+            }
             body.clock = now;
             if body.contact_end < S::NEVER {
                 body.contact_end -= back;

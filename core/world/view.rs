@@ -52,7 +52,7 @@ impl<S: Scalar, const D: usize> core::fmt::Debug for Grains<'_, S, D> {
 }
 
 impl<S: Scalar, const D: usize> View<'_, S, D> {
-    /// How many grains there are.
+    /// How many grains there are, empty places ([`WorldBuilder::reserve`](super::WorldBuilder::reserve)) included.
     #[must_use]
     pub fn len(&self) -> usize {
         self.particles.bodies.len()
@@ -74,7 +74,7 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
     /// a cluster it goes on from the last step with the acceleration that it had there.
     #[must_use]
     pub fn grain(&self, index: usize) -> Option<Grain<S, D>> {
-        let body = self.particles.body(index)?;
+        let body = self.particles.body(index).filter(|body| !body.is_vacant())?;
         let mut now = flight::at(body, self.domain, self.clock.now);
         if body.is_clustered() {
             let span = self.clock.now - body.clock;
@@ -95,7 +95,7 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
     /// How a grain moves now.
     #[must_use]
     pub fn motion(&self, index: usize) -> Option<Motion> {
-        let body = self.particles.body(index)?;
+        let body = self.particles.body(index).filter(|body| !body.is_vacant())?;
         Some(match body {
             _ if body.is_supported() => Motion::Rest,
             _ if body.is_clustered() => Motion::Cluster,

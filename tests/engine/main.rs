@@ -3,6 +3,7 @@
 mod advance;
 mod asked;
 mod calendar;
+mod change;
 mod clusters;
 mod conservation;
 mod contact;

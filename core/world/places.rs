@@ -1,0 +1,52 @@
+//! Which grains does a world begin with, and how many may come later? Reads grains, checks them; writes the memory's places.
+
+use super::builder::WorldBuilder;
+use super::check_input;
+use crate::error::Error;
+use crate::particle::{Body, Grain};
+use crate::scalar::Scalar;
+use crate::schedule::EventQueue;
+
+impl<S: Scalar, const D: usize, R> WorldBuilder<'_, S, D, R> {
+    /// One more grain.
+    ///
+    /// # Errors
+    /// [`Error::Full`] if the memory holds no more, [`Error::Input`] that names the grain and its field.
+    pub fn grain(mut self, grain: Grain<S, D>) -> Result<Self, Error> {
+        check_input::grain(&grain, self.count)?;
+        *self.place()? = Body::new(&grain);
+        self.count += 1;
+        Ok(self)
+    }
+
+    /// Many more grains.
+    ///
+    /// # Errors
+    /// As [`WorldBuilder::grain`].
+    pub fn grains(self, grains: impl IntoIterator<Item = Grain<S, D>>) -> Result<Self, Error> {
+        grains.into_iter().try_fold(self, Self::grain)
+    }
+
+    /// So many empty places for grains that are added later, see [`World::add`].
+    ///
+    /// # Errors
+    /// [`Error::Full`] if the memory has no places for them.
+    pub fn reserve(mut self, places: usize) -> Result<Self, Error> {
+        for _ in 0..places {
+            *self.place()? = Body::vacant(S::zero(), 0);
+            self.count += 1;
+        }
+        Ok(self)
+    }
+
+    /// The next place.
+    fn place(&mut self) -> Result<&mut Body<S, D>, Error> {
+        let capacity = self.buffers.capacity();
+        let full =
+            Error::Full { knob: "the memory (N of Memory, or the host's vectors)", capacity };
+        if self.count >= capacity.min(EventQueue::<S>::MAX_GRAINS) {
+            return Err(full);
+        }
+        self.buffers.bodies.get_mut(self.count).ok_or(full)
+    }
+}
