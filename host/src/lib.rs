@@ -17,6 +17,7 @@ pub mod figure;
 pub mod growing;
 pub mod heaps;
 pub mod integrated;
+pub mod interrupt;
 pub mod method;
 pub mod output;
 pub mod parameter_space;

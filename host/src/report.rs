@@ -59,10 +59,15 @@ impl Files {
     pub fn add(&mut self, start: &Start, sample: &Sample) -> Result<()> {
         self.series.add(sample)?;
         write_frame(&mut self.frames, start, sample)?;
-        match &mut self.events {
-            Some(rows) => write_events(rows, &sample.events),
-            None => Ok(()),
-        }
+        self.add_events(&sample.events)
+    }
+
+    /// More events, if they are asked for.
+    ///
+    /// # Errors
+    /// When they cannot be written.
+    pub fn add_events(&mut self, events: &[LoggedEvent]) -> Result<()> {
+        self.events.as_mut().map_or(Ok(()), |rows| write_events(rows, events))
     }
 
     /// How long the files are. All of them is on the disk then.

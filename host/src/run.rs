@@ -167,8 +167,8 @@ pub trait Attendant {
     }
 }
 
-/// Events between two pauses: a hundredth of a second or so.
-const EVENTS: u32 = 10_000;
+/// Events between two pauses: some thousandths of a second, more where large clusters make steps.
+const EVENTS: u32 = 1_000;
 
 /// Runs a method from where it stands to its end.
 ///

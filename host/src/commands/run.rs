@@ -2,10 +2,11 @@
 
 use crate::scenario::{MethodName, Scenario, Start};
 use crate::session::{self, Orders, Summary};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use clap::Args;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// The options of `carom run`.
 #[derive(Args, Debug)]
@@ -15,12 +16,25 @@ pub struct Options {
     /// Where to write; a name each for every method.
     #[arg(long, value_name = "DIR", default_value = "carom-out")]
     out: PathBuf,
+    /// Go on where a run of this scenario into this folder was stopped, to the same bits; begin if there is
+    /// none, and do nothing if it is whole.
+    #[arg(long)]
+    restart: bool,
+    /// Seconds of computing from one checkpoint to the next.
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    checkpoint: f64,
     /// Print the summary as JSON instead of a table.
     #[arg(long)]
     json: bool,
     /// Run this method only, whatever the scenario says.
     #[arg(long, value_enum)]
     method: Option<MethodName>,
+}
+
+fn seconds(text: &str) -> Result<f64> {
+    let value: f64 = text.parse()?;
+    ensure!((0.0..=1e9).contains(&value), "must be from 0 to 1e9");
+    Ok(value)
 }
 
 /// Runs every method of the scenario.
@@ -34,7 +48,12 @@ pub fn run(options: &Options) -> Result<()> {
         scenario = scenario.with_method(method).with_context(named)?;
     }
     let start = Start::new(&scenario).with_context(named)?;
-    let orders = Orders { out: options.out.clone() };
+    let orders = Orders {
+        out: options.out.clone(),
+        text: std::fs::read_to_string(&options.scenario).with_context(named)?,
+        restart: options.restart,
+        checkpoint: Duration::from_secs_f64(options.checkpoint),
+    };
     let summary = session::run(&scenario, &start, &orders).with_context(named)?;
     print(options.json, &summary, &options.out)
 }

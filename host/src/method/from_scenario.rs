@@ -9,8 +9,9 @@ use crate::tables::embedded;
 use anyhow::{Context, Result, bail};
 use carom::HeapMemory;
 use carom::law::{Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
+use carom::particle::Body;
 use carom::space::{Plane, Surface, Vibration};
-use carom::world::WorldBuilder;
+use carom::world::{ScheduledEvent, Snapshot, WorldBuilder};
 use carom::{Enduring, Grain, Release, World};
 use carom_reference::{Exact, Plate, Verlet, VerletOptions};
 use carom_tables::read::Law;
@@ -39,10 +40,24 @@ pub fn with<T>(
     start: &Start,
     work: impl FnOnce(&mut dyn Method) -> Result<T>,
 ) -> Result<T> {
+    with_state(name, scenario, start, None, work)
+}
+
+/// As [`with`], from a state that [`Method::save`] gave. A method that cannot be saved begins anew.
+///
+/// # Errors
+/// As [`with`], and when the state is not one of such a world.
+pub fn with_state<T>(
+    name: MethodName,
+    scenario: &Scenario,
+    start: &Start,
+    state: Option<&[u8]>,
+    work: impl FnOnce(&mut dyn Method) -> Result<T>,
+) -> Result<T> {
     match start.dimension {
-        1 => with_dimension::<1, T>(name, scenario, start, work),
-        2 => with_dimension::<2, T>(name, scenario, start, work),
-        _ => with_dimension::<3, T>(name, scenario, start, work),
+        1 => with_dimension::<1, T>(name, scenario, start, state, work),
+        2 => with_dimension::<2, T>(name, scenario, start, state, work),
+        _ => with_dimension::<3, T>(name, scenario, start, state, work),
     }
 }
 
@@ -50,6 +65,7 @@ fn with_dimension<const D: usize, T>(
     name: MethodName,
     scenario: &Scenario,
     start: &Start,
+    state: Option<&[u8]>,
     work: impl FnOnce(&mut dyn Method) -> Result<T>,
 ) -> Result<T> {
     let context = || name.label();
@@ -66,19 +82,28 @@ fn with_dimension<const D: usize, T>(
             work(&mut ForceBased::new(run, start)).with_context(context)
         }
         MethodName::Emd | MethodName::EmdStar => {
-            with_world::<D, T>(name, scenario, start, work).with_context(context)
+            with_world::<D, T>(name, scenario, start, state, work).with_context(context)
         }
     }
 }
+
+/// A saved world of the core.
+type Saved<const D: usize> = Snapshot<f64, D, Vec<Body<f64, D>>, Vec<ScheduledEvent<f64>>>;
 
 fn with_world<const D: usize, T>(
     name: MethodName,
     scenario: &Scenario,
     start: &Start,
+    state: Option<&[u8]>,
     work: impl FnOnce(&mut dyn Method) -> Result<T>,
 ) -> Result<T> {
     let rule = rule(name, scenario)?;
     let mut storage = HeapMemory::<f64, D>::with_capacity(start.grains.len());
+    if let Some(bytes) = state {
+        let saved: Saved<D> = postcard::from_bytes(bytes).context("the saved state is damaged")?;
+        let world = World::restore(&mut storage, &*rule, &saved)?;
+        return work(&mut EventDriven::new(world, name, scenario.options.events));
+    }
     let builder = World::builder(&mut storage).gravity(first(&start.gravity));
     let builder = builder.enduring(enduring(scenario));
     let builder =

@@ -34,6 +34,15 @@ pub trait Method {
         self.advance_to(time).map(|()| true)
     }
 
+    /// The whole state, from which [`super::with_state`] goes on with the same bits; none if the method
+    /// cannot be saved and must begin anew.
+    ///
+    /// # Errors
+    /// When it cannot be put into bytes.
+    fn save(&self) -> Result<Option<Vec<u8>>> {
+        Ok(None)
+    }
+
     /// All grains as they are now, inside the box where it is periodic.
     fn grains(&self) -> Vec<Placed>;
 
@@ -113,6 +122,10 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             Some(log) => self.world.advance_observed_with_budget(time, events, log)?,
             None => self.world.advance_with_budget(time, events)?,
         })
+    }
+
+    fn save(&self) -> Result<Option<Vec<u8>>> {
+        Ok(Some(postcard::to_stdvec(&self.world.save())?))
     }
 
     fn grains(&self) -> Vec<Placed> {

@@ -2,8 +2,10 @@
 //!
 //! A run grows in the folder `unfinished` beside its results. When all of its methods are through, its
 //! files move there together, so that no result of one run stands beside those of another. What a fault or
-//! a kill leaves stays in `unfinished`.
+//! a kill leaves stays in `unfinished`; from a checkpoint there it can go on, to the same bits.
 
+mod checkpoint;
+mod scribe;
 mod summary;
 mod unfinished;
 mod work;

@@ -2,16 +2,18 @@
 
 use crate::run::Sample;
 use crate::scenario::MethodName;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
 /// What a run came to.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Summary {
     /// The scenario's title.
     pub title: String,
     /// How many grains.
     pub grains: usize,
+    /// The program's version and a checksum of scenario, methods and start.
+    pub known_by: String,
     /// What each method came to.
     pub runs: Vec<MethodSummary>,
     /// Why the run ended before its time, if it did: the last method's files end there.
@@ -20,7 +22,7 @@ pub struct Summary {
 }
 
 /// What one method came to.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct MethodSummary {
     /// The method.
     pub method: MethodName,

@@ -1,47 +1,95 @@
-//! What is done for a run, one method after the other? Reads a scenario; writes the files of its methods and a summary.
+//! What is done for a run, one method after the other? Reads a scenario; writes the files of its methods, checkpoints and a summary.
 
+use super::checkpoint::{Checkpoint, Identity, State, Store};
+use super::scribe::{Every, Scribe};
 use super::summary::{MethodSummary, Summary};
 use super::unfinished::Unfinished;
-use crate::method::{self, Method};
+use crate::method;
 use crate::output;
-use crate::report::Files;
-use crate::run::{self, Attendant, Ended, Plan, Position, RunProgress, Sample};
+use crate::run::{self, Ended, Plan, Position};
 use crate::scenario::{MethodName, Scenario, Start};
-use anyhow::{Error, Result};
+use anyhow::{Context, Error, Result};
+use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// What is asked of a run besides its scenario.
 #[derive(Clone, Debug)]
 pub struct Orders {
     /// The folder of the results.
     pub out: PathBuf,
+    /// The scenario as its file says it: a run goes on only with the same one.
+    pub text: String,
+    /// Go on from the checkpoint that there is.
+    pub restart: bool,
+    /// Time from one checkpoint to the next.
+    pub checkpoint: Duration,
 }
 
 const SUMMARY: &str = "summary.json";
 
-/// Runs every method of the scenario.
+/// Runs every method of the scenario, or goes on where a run that was stopped left a checkpoint.
 ///
 /// # Errors
-/// A method that refuses the scenario, in which case nothing is written; a fault in a run, which leaves
-/// what was sampled until then, marked as broken off, in the folder `unfinished`; a file that cannot be
-/// written.
+/// A method that refuses the scenario, in which case nothing is written; a checkpoint of another run; a
+/// fault in a run, which leaves what was sampled until then, marked as broken off, in the folder
+/// `unfinished`; a file that cannot be written; [`Stopped`](crate::interrupt::Stopped).
 pub fn run(scenario: &Scenario, start: &Start, orders: &Orders) -> Result<Summary> {
     let methods = scenario.chosen_methods();
     for name in &methods {
         method::with(*name, scenario, start, |_| Ok(()))?;
     }
+    let identity = identity(scenario, start, &orders.text)?;
     let unfinished = Unfinished::new(&orders.out)?;
-    unfinished.clear()?;
-    let (title, grains) = (scenario.title.clone(), start.grains.len());
-    let mut summary = Summary { title, grains, runs: Vec::new(), broken_off: None };
-    for name in methods {
-        let (method, ended) = one(name, scenario, start, unfinished.path())?;
-        summary.runs.extend(method);
-        if let Ended::BrokenOff(why) = ended {
-            return Err(broken_off(summary, &unfinished, why.context(name.label())));
+    let store = Store::new(unfinished.path(), identity);
+    let mut checkpoint = Checkpoint::default();
+    match orders.restart.then(|| store.read()).transpose()?.flatten() {
+        Some(found) => checkpoint = found,
+        None => {
+            if let Some(summary) = is_done(orders, &store)? {
+                unfinished.publish(&[])?;
+                return Ok(summary);
+            }
+            unfinished.clear()?;
         }
     }
-    publish(summary, unfinished, &orders.out)
+    let work = Work {
+        scenario,
+        start,
+        folder: unfinished.path(),
+        store: &store,
+        every: orders.checkpoint,
+    };
+    let ended = work.all(&methods, &mut checkpoint)?;
+    let (title, grains) = (scenario.title.clone(), start.grains.len());
+    let known_by = store.known_by();
+    let summary = Summary { title, grains, known_by, runs: checkpoint.runs, broken_off: None };
+    match ended {
+        Ended::Whole => publish(summary, unfinished, &orders.out),
+        Ended::BrokenOff(why) => {
+            store.remove()?;
+            Err(broken_off(summary, &unfinished, why))
+        }
+    }
+}
+
+fn identity(scenario: &Scenario, start: &Start, text: &str) -> Result<Identity> {
+    let methods: Vec<&str> =
+        scenario.chosen_methods().into_iter().map(MethodName::file_stem).collect();
+    let grains: Vec<_> =
+        start.grains.iter().map(|g| (g.radius, g.mass, g.position, g.velocity)).collect();
+    Identity::new(format!("{text}\n{}", methods.join(" ")), &grains)
+}
+
+/// The summary of this very run, if it is whole already.
+fn is_done(orders: &Orders, store: &Store) -> Result<Option<Summary>> {
+    let file = orders.out.join(SUMMARY);
+    if !orders.restart || !file.exists() {
+        return Ok(None);
+    }
+    let text = fs::read(&file).with_context(|| format!("cannot read {}", file.display()))?;
+    let summary: Option<Summary> = serde_json::from_slice(&text).ok();
+    Ok(summary.filter(|summary| summary.known_by == store.known_by()))
 }
 
 /// Leaves what there is, with the reason why there is no more.
@@ -73,49 +121,51 @@ fn write_summary(summary: &Summary, folder: &Path) -> Result<String> {
     Ok(SUMMARY.to_owned())
 }
 
-/// Runs one method; what it came to is there if there was a sample.
-fn one(
-    name: MethodName,
-    scenario: &Scenario,
-    start: &Start,
-    folder: &Path,
-) -> Result<(Option<MethodSummary>, Ended)> {
-    let plan = Plan::new(scenario);
-    method::with(name, scenario, start, |method| {
-        let files = Files::new(folder, name, scenario)?;
-        let progress = RunProgress::new(method, &plan);
-        let mut scribe = Scribe { start, files, progress, last: None };
-        let mut position = Position::default();
-        let ended = run::attend(method, &plan, &mut position, &mut scribe)?;
-        scribe.files.secured()?;
-        Ok((scribe.summary(folder, position.seconds), ended))
-    })
-}
-
-/// Writes every sample down.
-struct Scribe<'a> {
+/// What all methods of a run have in common.
+struct Work<'a> {
+    scenario: &'a Scenario,
     start: &'a Start,
-    files: Files,
-    progress: RunProgress,
-    last: Option<MethodSummary>,
+    folder: &'a Path,
+    store: &'a Store,
+    every: Duration,
 }
 
-impl Attendant for Scribe<'_> {
-    fn sample(&mut self, method: &mut dyn Method, time: f64) -> Result<()> {
-        let sample = Sample::take(method, time);
-        self.last = Some(MethodSummary::new(method.name(), &sample));
-        self.files.add(self.start, &sample)
+impl Work<'_> {
+    /// Runs those methods that are not through, the first of them from where it stands.
+    fn all(&self, methods: &[MethodName], checkpoint: &mut Checkpoint) -> Result<Ended> {
+        for name in methods.iter().skip(checkpoint.runs.len()) {
+            let current = checkpoint.current.take();
+            let (summary, ended) = self.one(*name, current, &checkpoint.runs)?;
+            checkpoint.runs.extend(summary);
+            if let Ended::BrokenOff(why) = ended {
+                return Ok(Ended::BrokenOff(why.context(name.label())));
+            }
+            self.store.write(checkpoint)?;
+        }
+        Ok(Ended::Whole)
     }
 
-    fn pause(&mut self, method: &mut dyn Method, _: &Position) -> Result<()> {
-        self.progress.show(method);
-        Ok(())
-    }
-}
-
-impl Scribe<'_> {
-    fn summary(self, folder: &Path, wall_seconds: f64) -> Option<MethodSummary> {
-        let files = self.files.names().iter().map(|name| folder.join(name)).collect();
-        self.last.map(|last| MethodSummary { wall_seconds, files, ..last })
+    /// Runs one method to its end; what it came to is there if there was a sample.
+    fn one(
+        &self,
+        name: MethodName,
+        state: Option<State>,
+        done: &[MethodSummary],
+    ) -> Result<(Option<MethodSummary>, Ended)> {
+        let plan = Plan::new(self.scenario);
+        let saved = state.as_ref().map(|state| state.method.as_slice());
+        method::with_state(name, self.scenario, self.start, saved, |method| {
+            let mut position = state.as_ref().map_or_else(Position::default, |s| s.position);
+            let every = Every::new(self.every, self.store, done);
+            let mut scribe = Scribe::new(
+                self.start,
+                self.scenario,
+                self.folder,
+                (method, &plan),
+                (state.as_ref(), every),
+            )?;
+            let ended = run::attend(method, &plan, &mut position, &mut scribe)?;
+            Ok((scribe.finish(&position)?, ended))
+        })
     }
 }
