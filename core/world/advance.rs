@@ -84,9 +84,22 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// # Errors
     /// As [`World::advance_to`].
     pub fn step_until(&mut self, instant: impl IntoInstant) -> Result<Option<Event<S>>, Error> {
+        self.step_until_observed(instant, &mut ())
+    }
+
+    /// As [`World::step_until`], observed.
+    ///
+    /// # Errors
+    /// As [`World::advance_to`].
+    pub fn step_until_observed(
+        &mut self,
+        instant: impl IntoInstant,
+        observer: &mut impl Observer<S, D>,
+    ) -> Result<Option<Event<S>>, Error> {
         let asked = self.not_past(instant)?;
         loop {
-            let Some(event) = self.step_within(asked.span_since(self.clock.epoch), &mut ())? else {
+            let Some(event) = self.step_within(asked.span_since(self.clock.epoch), observer)?
+            else {
                 self.arrive(asked);
                 return Ok(None);
             };

@@ -13,6 +13,7 @@ pub mod collide;
 pub mod commands;
 pub mod compare;
 pub mod divergence;
+pub mod drive;
 pub mod figure;
 pub mod growing;
 pub mod heaps;
