@@ -1,7 +1,12 @@
 // How does JavaScript use carom? Reads a description; writes a WebAssembly instance per scene and views of its memory.
 // Types and documentation: carom.d.ts.
 
-const FILES = ["carom-line.wasm", "carom-plane.wasm", "carom-space.wasm"];
+// Each address in full: bundlers copy the files that they find in this form.
+const FILES = [
+  new URL("./carom-line.wasm", import.meta.url),
+  new URL("./carom-plane.wasm", import.meta.url),
+  new URL("./carom-space.wasm", import.meta.url),
+];
 const MATERIALS = ["hard", "linear", "viscoelastic"];
 const OUTSIDE = ["reject", "clamp", "hard-sphere", "integrate"];
 const METHODS = ["emd", "emd*"];
@@ -17,11 +22,11 @@ export class CaromError extends Error {
   name = "CaromError";
 }
 
-/** @param {string} file */
-async function compile(file) {
-  const url = new URL(file, import.meta.url);
+/** @param {URL} url */
+async function compile(url) {
   if (url.protocol === "file:" && typeof process !== "undefined") {
-    const { readFile } = await import(/** @type {string} */ ("node:fs/promises"));
+    // Not `import`, which a bundler for browsers would replace.
+    const { readFile } = process.getBuiltinModule("node:fs/promises");
     return WebAssembly.compile(await readFile(url));
   }
   const response = await fetch(url);
@@ -34,10 +39,10 @@ const modules = new Map();
 
 /** @param {import("./carom.js").Dimension} dimension */
 export function load(dimension) {
-  const file = FILES[dimension - 1];
-  if (!file) throw new CaromError(`dimension is ${dimension}, must be 1, 2 or 3`);
+  const url = FILES[dimension - 1];
+  if (!url) throw new CaromError(`dimension is ${dimension}, must be 1, 2 or 3`);
   let module = modules.get(dimension);
-  if (!module) modules.set(dimension, (module = compile(file)));
+  if (!module) modules.set(dimension, (module = compile(url)));
   return module;
 }
 
