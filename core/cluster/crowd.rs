@@ -67,7 +67,7 @@ impl<S: Scalar, const D: usize> Crowd<'_, S, D> {
         let planes = self.domain.boundary.planes().iter().enumerate();
         let mut others = planes.filter(|&(p, _)| Partner::plane(p) != self.course.with);
         others.any(|(_, plane)| {
-            let shaken = plane.vibration.map_or(S::zero(), |v| v.peak_speed() + v.peak_speed());
+            let shaken = plane.peak_speed() + plane.peak_speed();
             let nears = -dot(&plane.normal, &self.course.velocity) + self.fall + shaken;
             let room = (party.speed + nears.max(S::zero())) * self.course.duration;
             plane.gap(&party.body.position, party.body.radius, self.now) < room

@@ -67,9 +67,9 @@ impl<S: Scalar> Settings<S> {
             self.smallest = [radius.min(body.radius), mass.min(body.mass)];
             fastest = fastest.max(norm(&body.velocity));
         }
-        let plates = boundary.planes().iter().filter_map(|plane| plane.vibration);
-        self.plates = plates.fold([S::zero(); 2], |[speed, acceleration], plate| {
-            [speed.max(plate.peak_speed()), acceleration.max(plate.peak_acceleration())]
+        self.plates = boundary.planes().iter().fold([S::zero(); 2], |[speed, most], plane| {
+            let acceleration = plane.vibration.map_or(S::zero(), |v| v.peak_acceleration());
+            [speed.max(plane.peak_speed()), most.max(acceleration)]
         });
         let [speed, _] = self.plates;
         fastest = fastest.max(speed);

@@ -120,15 +120,15 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
     /// Whether a grain may touch a plane fast before the step ends: a bound without roots.
     fn may_meet_plane(&self, plane: &Plane<S, D>, slow: S) -> bool {
         let span = self.limit - self.me.clock;
-        let (speed, top) =
-            plane.vibration.map_or((S::zero(), S::zero()), |v| (v.peak_speed(), v.amplitude.abs()));
         let fall = norm(self.domain.gravity()) * span;
-        let fastest = speed + fall - dot(&plane.normal, &self.me.velocity);
-        let gap = plane.mean_gap(&self.me.position, self.me.radius) - top;
+        let fastest = plane.peak_speed() + fall - dot(&plane.normal, &self.me.velocity);
+        let gap = plane.gap(&self.me.position, self.me.radius, self.me.clock);
+        let least = match plane.vibration {
+            Some(v) => plane.mean_gap(&self.me.position, self.me.radius) - v.amplitude.abs(),
+            None => gap,
+        };
         let pressed = self.me.radius * S::from_f32(-PRESSED);
-        fastest > slow
-            && gap <= fastest * span
-            && plane.gap(&self.me.position, self.me.radius, self.me.clock) >= pressed
+        fastest > slow && least <= fastest * span && gap >= pressed
     }
 
     fn planes(&mut self) {

@@ -88,7 +88,7 @@ fn overlap<S: Scalar, const D: usize>(r: &Vector<S, D>, v: &Vector<S, D>, sigma:
     (gap, S::dot(r, v).divided_by(distance))
 }
 
-/// At what time a body that nothing supports touches a plane that does not move; from its own clock on.
+/// At what time a body that nothing supports touches a plane that stands, or goes on steadily; from its own clock on.
 #[inline]
 pub(super) fn free_body_and_wall<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
@@ -96,8 +96,13 @@ pub(super) fn free_body_and_wall<S: Scalar, const D: usize>(
     wall: &Plane<S, D>,
 ) -> Option<S> {
     let n = &wall.normal;
-    let gap = wall.mean_gap(&me.position, me.radius);
-    Some(me.clock + root::plane(gap, dot(n, &me.velocity), dot(n, domain.gravity()))?)
+    let mut gap = wall.mean_gap(&me.position, me.radius);
+    let mut speed = dot(n, &me.velocity);
+    if let Some(drift) = wall.drift {
+        gap -= drift.at(me.clock).place;
+        speed -= drift.speed;
+    }
+    Some(me.clock + root::plane(gap, speed, dot(n, domain.gravity()))?)
 }
 
 /// How long after `start` a body, as it is then, touches a plane that does not support it.
@@ -112,8 +117,10 @@ pub(super) fn body_and_plane<S: Scalar, const D: usize>(
     let (v, a) = (dot(n, &me.velocity), dot(n, &flight::acceleration(me, domain)));
     let bracketed = |from| bracketed_from(domain, start, me, (plane, from, limit));
     let Some(vibration) = plane.vibration else {
+        let motion = plane.motion(start);
         return match peak_acceleration_along(domain, me, n) > S::zero() {
-            false => root::plane(mean, v, a).map_or(Found::Nothing, Found::Event),
+            false => root::plane(mean - motion.place, v - motion.speed, a)
+                .map_or(Found::Nothing, Found::Event),
             true => bracketed(S::zero()),
         };
     };

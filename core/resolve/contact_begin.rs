@@ -121,9 +121,9 @@ pub(super) fn begin_with_plane<S: Scalar, const D: usize>(
     }
     let contact_end = start + outcome.duration;
     let (now, later) = (plane.motion(start), plane.motion(contact_end));
-    let along = match plane.vibration {
-        Some(_) => (later.place - now.place) / outcome.duration.max(start.rounding()),
-        None => S::zero(),
+    let along = match plane.moves() {
+        true => (later.place - now.place) / outcome.duration.max(start.rounding()),
+        false => S::zero(),
     };
     let hold = along - dot(n, context.domain.gravity()) * outcome.duration * S::half();
     let velocity = reject(&body.velocity, n) + n * hold;
@@ -176,8 +176,7 @@ pub(super) fn uninterruptible_until<S: Scalar, const D: usize>(
         let height = plane.gap(&body.position, body.radius, context.now()) + body.radius;
         least.min(height.max(body.radius * part * part))
     });
-    let plates = planes.iter().filter_map(|plane| plane.vibration);
-    let shaken = plates.fold(S::zero(), |most, plate| most.max(plate.peak_speed()));
+    let shaken = planes.iter().fold(S::zero(), |most, plane| most.max(plane.peak_speed()));
     let (far, g) = (height * part, norm(context.domain.gravity()));
     let speed = norm(&body.velocity) + shaken;
     // v t + g t²/2 = far, without cancellation.

@@ -105,9 +105,7 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
     /// From now on clocks count from this epoch.
     pub(crate) fn set_epoch(&mut self, epoch: Instant) {
         let planes = self.planes.iter_mut().take(self.count.into());
-        for vibration in planes.filter_map(|plane| plane.vibration.as_mut()) {
-            vibration.set_epoch(epoch);
-        }
+        planes.for_each(|plane| plane.set_epoch(epoch));
     }
 
     /// What a periodic axis is; none if it is not one.

@@ -34,7 +34,7 @@ impl<'m, S: Scalar, const D: usize> Domain<'m, S, D> {
 
     /// Whether no plane moves.
     pub fn is_still(&self) -> bool {
-        self.boundary.planes().iter().all(|plane| plane.vibration.is_none())
+        self.boundary.planes().iter().all(|plane| !plane.moves())
     }
 
     /// From now on this gravity acts.

@@ -44,9 +44,7 @@ pub fn carrying_plates<'a, S: Scalar, const D: usize>(
     let planes = domain.boundary.planes().iter().enumerate();
     let carries =
         move |p: usize| u32::try_from(p).is_ok_and(|p| on.checked_shr(p).unwrap_or(0) & 1 == 1);
-    planes
-        .filter(move |&(p, plane)| plane.vibration.is_some() && carries(p))
-        .map(|(_, plane)| plane)
+    planes.filter(move |&(p, plane)| plane.moves() && carries(p)).map(|(_, plane)| plane)
 }
 
 /// The body at time `now`, its clock set there; everything else as it was: r + v t + g t²/2.

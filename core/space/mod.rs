@@ -17,11 +17,13 @@ mod neighbours;
 mod one_level;
 mod particles;
 mod plane;
+mod plane_motion;
 mod sight;
 
 pub use boundary::{Boundary, MAX_PLANES, PeriodicAxis};
 pub use cells::Link;
-pub use plane::{Plane, Surface, Vibration};
+pub use plane::{Plane, Surface};
+pub use plane_motion::{Drift, Vibration};
 
 pub(crate) use boundary::SavedBoundary;
 pub(crate) use cells::Cells;

@@ -19,6 +19,10 @@ fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Resul
     if let Some(vibration) = &plane.vibration {
         self::vibration(vibration, subject)?;
     }
+    if let Some(drift) = plane.drift.filter(|drift| !drift.speed.in_range()) {
+        let speed = drift.speed.to_f64();
+        return Err(Error::input(subject, "drift's speed", speed, "a finite number"));
+    }
     match plane.surface {
         Surface::Hard(e) if !(e >= S::zero() && e <= S::one()) => {
             Err(Error::input(subject, "restitution", e.to_f64(), "between 0 and 1"))

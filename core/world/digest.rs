@@ -50,8 +50,8 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
         fnv.word(ticks.1);
         fnv.number(self.clock.now);
         fnv.vector(self.domain.gravity());
-        let plates = self.domain.boundary.planes().iter().filter_map(|plane| plane.vibration);
-        plates.for_each(|plate| fnv.number(plate.at(self.clock.now).place));
+        let moving = self.domain.boundary.planes().iter().filter(|plane| plane.moves());
+        moving.for_each(|plane| fnv.number(plane.motion(self.clock.now).place));
         let boundary = &self.domain.boundary;
         let inside = |body: &Body<S, D>| boundary.wrap_from_far(body.position);
         self.particles.bodies.iter().for_each(|body| fnv.body(body, &inside(body)));

@@ -96,6 +96,7 @@ fn bad_boundaries_gravity_and_laws_are_named() {
                     offset: 0.0,
                     surface: Surface::Rule,
                     vibration: None,
+                    drift: None,
                 })
                 .rule(ELASTIC)
                 .start()

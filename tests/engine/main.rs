@@ -8,6 +8,7 @@ mod clusters;
 mod conservation;
 mod contact;
 mod corners;
+mod drift;
 mod errors;
 mod fixed;
 mod gas;

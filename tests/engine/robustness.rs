@@ -168,8 +168,13 @@ fn a_plane_without_a_place_is_refused() {
 fn boundaries_that_contradict_each_other_are_refused() {
     let grain = Grain::with_mass(0.5, 1.0);
     let mut memory = Memory::<f64, 1, 2>::new();
-    let across =
-        Plane { normal: [1.0].into(), offset: 0.0, surface: Surface::Rule, vibration: None };
+    let across = Plane {
+        normal: [1.0].into(),
+        offset: 0.0,
+        surface: Surface::Rule,
+        vibration: None,
+        drift: None,
+    };
     let builder = World::builder(&mut memory).periodic([[0.0, 10.0]]).plane(across);
     assert!(builder.rule(ELASTIC).grain(grain.at([5.0])).unwrap().start().is_err());
     let mut memory = Memory::<f64, 1, 2>::new();
