@@ -9,6 +9,7 @@ pub mod bench;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod collide;
+pub mod columns;
 #[cfg(feature = "cli")]
 pub mod commands;
 pub mod compare;
@@ -20,6 +21,7 @@ pub mod heaps;
 pub mod integrated;
 pub mod interrupt;
 pub mod method;
+pub mod observe;
 pub mod output;
 pub mod parameter_space;
 pub mod plot;

@@ -1,6 +1,7 @@
 //! How does one method get from start to end? Reads a method and a plan; hands out samples, and pauses in between.
 
 use crate::method::{LoggedEvent, Method};
+use crate::observe::Looks;
 use crate::progress::Progress;
 use crate::scenario::{Placed, Scenario};
 use anyhow::{Error, Result, anyhow};
@@ -50,6 +51,8 @@ pub struct Plan {
     pub duration: f64,
     /// Collisions to run, if the scenario gives them.
     pub collisions: u64,
+    /// When the attendant looks besides, if something is measured.
+    pub looks: Option<Looks>,
 }
 
 /// So many samples without a collision: there will never be enough of them, or samples are too close.
@@ -62,6 +65,7 @@ impl Plan {
             sample: scenario.sample,
             duration: scenario.duration.unwrap_or(f64::INFINITY),
             collisions: scenario.collisions.unwrap_or(u64::MAX),
+            looks: scenario.observe.as_ref().map(|spec| Looks::new(spec, scenario.sample)),
         }
     }
 
@@ -88,6 +92,11 @@ impl Plan {
         if time > self.duration - 1e-9 * self.sample { self.duration } else { time }
     }
 
+    /// The next look, if it is due by this time.
+    fn look(&self, position: &Position, by: f64) -> Option<f64> {
+        self.looks.map(|looks| looks.instant(position.look)).filter(|time| *time <= by)
+    }
+
     /// Whether a run that has come so far is over.
     fn is_over(&self, time: f64, collisions: u64) -> bool {
         time >= self.duration || collisions >= self.collisions
@@ -110,6 +119,8 @@ impl Plan {
 pub struct Position {
     /// The number of the sample that comes next.
     pub sample: u64,
+    /// The number of the look that comes next.
+    pub look: u64,
     /// Seconds that the method took, sampling excluded.
     pub seconds: f64,
     /// The last sample before which there was a collision, and how many there were.
@@ -157,6 +168,11 @@ pub trait Attendant {
     /// Ends the run.
     fn sample(&mut self, method: &mut dyn Method, time: f64) -> Result<()>;
 
+    /// The method has come to where it is to be looked at, besides samples.
+    fn look(&mut self, method: &mut dyn Method, time: f64) {
+        let _ = (method, time);
+    }
+
     /// The method has worked a little, and would go on.
     ///
     /// # Errors
@@ -182,15 +198,15 @@ pub fn attend(
 ) -> Result<Ended> {
     loop {
         let time = plan.instant(position.sample);
-        loop {
-            let begin = Instant::now();
-            let advanced = method.advance_within(time, EVENTS);
-            position.seconds += begin.elapsed().as_secs_f64();
-            match advanced {
-                Ok(true) => break,
-                Ok(false) => attendant.pause(method, position)?,
-                Err(why) => return Ok(Ended::BrokenOff(why)),
+        while let Some(look) = plan.look(position, time) {
+            if let Err(why) = advance(method, look, position, attendant)? {
+                return Ok(Ended::BrokenOff(why));
             }
+            attendant.look(method, look);
+            position.look += 1;
+        }
+        if let Err(why) = advance(method, time, position, attendant)? {
+            return Ok(Ended::BrokenOff(why));
         }
         attendant.sample(method, time)?;
         position.count(method.collisions());
@@ -201,6 +217,25 @@ pub fn attend(
             return Ok(Ended::BrokenOff(why));
         }
         attendant.pause(method, position)?;
+    }
+}
+
+/// Goes on to an instant, with pauses; the inner error is the method's.
+fn advance(
+    method: &mut dyn Method,
+    time: f64,
+    position: &mut Position,
+    attendant: &mut impl Attendant,
+) -> Result<Result<()>> {
+    loop {
+        let begin = Instant::now();
+        let advanced = method.advance_within(time, EVENTS);
+        position.seconds += begin.elapsed().as_secs_f64();
+        match advanced {
+            Ok(true) => return Ok(Ok(())),
+            Ok(false) => attendant.pause(method, position)?,
+            Err(why) => return Ok(Err(why)),
+        }
     }
 }
 

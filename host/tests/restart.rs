@@ -29,6 +29,9 @@ poisson = 0.4
 dissipation = 1.0e-4
 [options]
 events = true
+[observe]
+from = 0.01
+every = 0.003
 "#;
 
 fn shaken() -> String {
@@ -140,6 +143,7 @@ fn a_run_killed_at_any_instant_continues_to_the_same_bits() {
     let text = shaken();
     let wanted = uninterrupted(&text);
     assert!(wanted.contains_key("emd-star-events.csv"));
+    assert!(wanted["emd-blocks.csv"].iter().filter(|&&byte| byte == b'\n').count() > 40);
     let mut kills = 0;
     for seed in 1..=2 {
         let case = Case::new(&text);

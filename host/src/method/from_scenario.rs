@@ -2,6 +2,7 @@
 
 use super::implementations::{EventDriven, ForceBased, Method};
 use crate::integrated::Integrated;
+use crate::observe::Layout;
 use crate::scenario::{
     EnduringSpec, LawSpec, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side, Start,
 };
@@ -98,11 +99,14 @@ fn with_world<const D: usize, T>(
     work: impl FnOnce(&mut dyn Method) -> Result<T>,
 ) -> Result<T> {
     let rule = rule(name, scenario)?;
+    let layout = scenario.observe.as_ref().map(|_| Layout::new(start));
     let mut storage = HeapMemory::<f64, D>::with_capacity(start.grains.len());
     if let Some(bytes) = state {
-        let saved: Saved<D> = postcard::from_bytes(bytes).context("the saved state is damaged")?;
+        let (saved, tally): (Saved<D>, Option<Vec<f64>>) =
+            postcard::from_bytes(bytes).context("the saved state is damaged")?;
         let world = World::restore(&mut storage, &*rule, &saved)?;
-        return work(&mut EventDriven::new(world, name, scenario.options.events));
+        let method = EventDriven::new(world, name, scenario.options.events);
+        return work(&mut method.with_tally(layout.as_ref(), tally.as_deref()));
     }
     let builder = World::builder(&mut storage).gravity(first(&start.gravity));
     let builder = builder.enduring(enduring(scenario));
@@ -114,7 +118,8 @@ fn with_world<const D: usize, T>(
             .moving(first(&grain.velocity))
     });
     let world = builder.grains(grains).and_then(WorldBuilder::start)?;
-    work(&mut EventDriven::new(world, name, scenario.options.events))
+    let method = EventDriven::new(world, name, scenario.options.events);
+    work(&mut method.with_tally(layout.as_ref(), None))
 }
 
 fn enduring(scenario: &Scenario) -> Enduring {

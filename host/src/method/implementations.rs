@@ -1,5 +1,6 @@
 //! What does every method have? Reads a world of the core or a run of the reference; writes its state as the comparison needs it.
 
+use crate::observe::{Layout, Tally};
 use crate::scenario::{MethodName, Placed, Side, Start};
 use anyhow::Result;
 use carom::World;
@@ -60,6 +61,12 @@ pub trait Method {
         Vec::new()
     }
 
+    /// What contacts have transferred and cost since the last call, if it is asked for: sums as
+    /// [`Layout`] numbers them.
+    fn take_tally(&mut self) -> Vec<f64> {
+        Vec::new()
+    }
+
     /// The events since the last call, if a log was asked for.
     fn take_events(&mut self) -> Vec<LoggedEvent> {
         Vec::new()
@@ -91,12 +98,49 @@ pub struct EventDriven<'m, const D: usize, R> {
     world: World<'m, f64, D, R>,
     name: MethodName,
     log: Option<EventLog>,
+    tally: Option<Tally<D>>,
 }
 
 impl<'m, const D: usize, R: Rule<f64>> EventDriven<'m, D, R> {
-    /// Wraps a world that has just started.
+    /// Wraps a world that has just started or was restored.
     pub fn new(world: World<'m, f64, D, R>, name: MethodName, log: bool) -> Self {
-        Self { world, name, log: log.then(EventLog::default) }
+        Self { world, name, log: log.then(EventLog::default), tally: None }
+    }
+
+    /// Sums over contacts, going on from these if they are given.
+    #[must_use]
+    pub fn with_tally(self, layout: Option<&Layout>, sums: Option<&[f64]>) -> Self {
+        let mut tally = layout.map(Tally::new);
+        if let (Some(tally), Some(sums)) = (&mut tally, sums) {
+            tally.set(sums);
+        }
+        Self { tally, ..self }
+    }
+
+    fn advance(&mut self, time: f64, events: u32) -> Result<bool, carom::Error> {
+        let Self { world, log, tally, .. } = self;
+        match (log, tally) {
+            (None, None) => world.advance_with_budget(time, events),
+            (Some(log), None) => world.advance_observed_with_budget(time, events, log),
+            (None, Some(tally)) => world.advance_observed_with_budget(time, events, tally),
+            (Some(log), Some(tally)) => {
+                world.advance_observed_with_budget(time, events, &mut Both(log, tally))
+            }
+        }
+    }
+}
+
+/// Two who observe the same events.
+struct Both<'a, const D: usize>(&'a mut EventLog, &'a mut Tally<D>);
+
+impl<const D: usize> Observer<f64, D> for Both<'_, D> {
+    fn before(&mut self, event: &Event<f64>, view: View<'_, f64, D>) {
+        self.1.before(event, view);
+    }
+
+    fn after(&mut self, event: &Event<f64>, view: View<'_, f64, D>) {
+        self.0.after(event, view);
+        self.1.after(event, view);
     }
 }
 
@@ -110,22 +154,21 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
     }
 
     fn advance_to(&mut self, time: f64) -> Result<()> {
-        match &mut self.log {
-            Some(log) => self.world.advance_observed(time, log)?,
-            None => self.world.advance_to(time)?,
-        }
+        while !self.advance(time, u32::MAX)? {}
         Ok(())
     }
 
     fn advance_within(&mut self, time: f64, events: u32) -> Result<bool> {
-        Ok(match &mut self.log {
-            Some(log) => self.world.advance_observed_with_budget(time, events, log)?,
-            None => self.world.advance_with_budget(time, events)?,
-        })
+        Ok(self.advance(time, events)?)
     }
 
     fn save(&self) -> Result<Option<Vec<u8>>> {
-        Ok(Some(postcard::to_stdvec(&self.world.save())?))
+        let tally = self.tally.as_ref().map(Tally::sums);
+        Ok(Some(postcard::to_stdvec(&(self.world.save(), tally))?))
+    }
+
+    fn take_tally(&mut self) -> Vec<f64> {
+        self.tally.as_mut().map(Tally::take).unwrap_or_default()
     }
 
     fn grains(&self) -> Vec<Placed> {

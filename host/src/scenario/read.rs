@@ -61,6 +61,9 @@ fn check(scenario: &Scenario) -> Result<()> {
     check_end(scenario)?;
     positive("sample", scenario.sample)?;
     check_sample(scenario)?;
+    if let Some(observe) = &scenario.observe {
+        observe.check(scenario.sample, scenario.duration)?;
+    }
     scenario.options.exact_until.map_or(Ok(()), |t| positive("options.exact_until", t))?;
     not_negative("options.tc", scenario.options.tc)?;
     law(&scenario.law)?;

@@ -39,6 +39,8 @@ pub struct Scenario {
     pub grains: Vec<GrainSpec>,
     /// Grains by number, placed at random.
     pub gas: Option<Gas>,
+    /// What is measured; nothing if left out.
+    pub observe: Option<super::observe::ObserveSpec>,
 }
 
 /// A method of simulation.

@@ -51,6 +51,8 @@ pub struct State {
     pub last: Option<MethodSummary>,
     /// The method's own state.
     pub method: Vec<u8>,
+    /// What was measured.
+    pub measured: Option<Vec<u8>>,
 }
 
 /// The file that holds a checkpoint.

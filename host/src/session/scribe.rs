@@ -4,6 +4,7 @@ use super::checkpoint::{Checkpoint, State, Store};
 use super::summary::MethodSummary;
 use crate::interrupt::{Heed, Stopped};
 use crate::method::Method;
+use crate::observe::Recorder;
 use crate::report::Files;
 use crate::run::{Attendant, Plan, Position, RunProgress, Sample};
 use crate::scenario::{Scenario, Start};
@@ -37,6 +38,7 @@ pub struct Scribe<'a> {
     progress: RunProgress,
     every: Every<'a>,
     heed: Heed,
+    recorder: Option<Recorder>,
 }
 
 impl<'a> Scribe<'a> {
@@ -55,7 +57,10 @@ impl<'a> Scribe<'a> {
         let files = Files::from_lengths(folder, method.name(), scenario, lengths)?;
         let last = state.and_then(|state| state.last.clone());
         let progress = RunProgress::new(method, plan);
+        let measured = state.and_then(|state| state.measured.as_deref());
+        let recorder = Recorder::new(scenario, start, measured)?;
         Ok(Self {
+            recorder,
             start,
             folder: folder.to_owned(),
             files,
@@ -72,7 +77,12 @@ impl<'a> Scribe<'a> {
     /// When the last bytes cannot be written.
     pub fn finish(mut self, position: &Position) -> Result<Option<MethodSummary>> {
         self.files.secured()?;
-        let files = self.files.names().iter().map(|name| self.folder.join(name)).collect();
+        let mut names = self.files.names().to_vec();
+        let stem = self.last.as_ref().map_or("", |last| last.method.file_stem());
+        for table in self.recorder.iter().flat_map(Recorder::tables) {
+            names.extend(table.write(&self.folder, stem)?);
+        }
+        let files = names.iter().map(|name| self.folder.join(name)).collect();
         let wall_seconds = position.seconds;
         Ok(self.last.map(|last| MethodSummary { wall_seconds, files, ..last }))
     }
@@ -87,6 +97,7 @@ impl<'a> Scribe<'a> {
             lengths: self.files.secured()?,
             last: self.last.clone(),
             method: bytes,
+            measured: self.recorder.as_ref().map(Recorder::save).transpose()?,
         };
         let runs = self.every.done.to_vec();
         self.every.store.write(&Checkpoint { runs, current: Some(state) })
@@ -98,6 +109,13 @@ impl Attendant for Scribe<'_> {
         let sample = Sample::take(method, time);
         self.last = Some(MethodSummary::new(method.name(), &sample));
         self.files.add(self.start, &sample)
+    }
+
+    fn look(&mut self, method: &mut dyn Method, time: f64) {
+        let tally = method.take_tally();
+        if let Some(recorder) = &mut self.recorder {
+            recorder.look(time, &tally, &method.grains());
+        }
     }
 
     fn pause(&mut self, method: &mut dyn Method, position: &Position) -> Result<()> {

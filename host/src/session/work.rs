@@ -5,6 +5,7 @@ use super::scribe::{Every, Scribe};
 use super::summary::{MethodSummary, Summary};
 use super::unfinished::Unfinished;
 use crate::method;
+use crate::observe::Recorder;
 use crate::output;
 use crate::run::{self, Ended, Plan, Position};
 use crate::scenario::{MethodName, Scenario, Start};
@@ -39,6 +40,8 @@ pub fn run(scenario: &Scenario, start: &Start, orders: &Orders) -> Result<Summar
     for name in &methods {
         method::with(*name, scenario, start, |_| Ok(()))?;
     }
+    // What cannot be measured is refused before anything is written.
+    Recorder::new(scenario, start, None)?;
     let identity = identity(scenario, start, &orders.text)?;
     let unfinished = Unfinished::new(&orders.out)?;
     let store = Store::new(unfinished.path(), identity);

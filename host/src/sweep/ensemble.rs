@@ -2,7 +2,8 @@
 
 use super::plan::Plan;
 use super::run::{self, Done, Journal};
-use super::table::{Cell, Column, Kind, Rows};
+use super::table::Rows;
+use crate::columns::{Cell, Column, Kind};
 use crate::progress::Progress;
 use anyhow::{Context, Result, bail};
 use rayon::prelude::*;

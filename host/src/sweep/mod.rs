@@ -9,6 +9,7 @@ mod plan;
 mod run;
 mod table;
 
+pub use crate::columns::{Cell, Column, Kind};
 pub use ensemble::{Report, merge, sweep};
 pub use plan::{Axis, Plan, Run, Spec};
-pub use table::{Cell, Column, Kind, Rows, Source, shard};
+pub use table::{Rows, Source, shard};

@@ -1,6 +1,7 @@
 //! Which runs does a sweep file ask for, and what exactly is run number k? Reads TOML; writes nothing, returns checked scenarios.
 
-use super::table::{Cell, Column, Kind, Source};
+use super::table::Source;
+use crate::columns::{Cell, Column, Kind};
 use crate::scenario::{MethodName, Scenario};
 use anyhow::{Context, Result, anyhow, bail};
 use serde::Deserialize;

@@ -1,7 +1,8 @@
 //! What did one run come to, and which are done already? Runs it; writes a line in a journal, which a kill may cut short.
 
 use super::plan::Run;
-use super::table::{Cell, Column, Kind, Source};
+use super::table::Source;
+use crate::columns::{Cell, Column, Kind};
 use crate::method::{self, Method};
 use crate::run::{self, Attendant, Plan, Position};
 use crate::scenario::Start;

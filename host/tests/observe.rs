@@ -1,0 +1,249 @@
+//! Is what a run measures right? Runs small systems; compares with identities that hold exactly, and with what is published.
+
+use carom_host::columns::Cell;
+use carom_host::method::{self, Method};
+use carom_host::observe::Recorder;
+use carom_host::run::{self, Attendant, Plan, Position};
+use carom_host::scenario::{MethodName, Scenario, Start};
+
+/// Disks in a walled box.
+const BOX: &str = r#"
+dimension = 2
+duration = 40.0
+sample = 40.0
+methods = ["emd*"]
+[box]
+x = { kind = "walls", from = 0.0, to = 8.0, surface = "hard", restitution = 1.0 }
+y = { kind = "walls", from = 0.0, to = 6.0, surface = "hard", restitution = 1.0 }
+[law]
+kind = "lsd"
+stiffness = 1.0e4
+damping = 0.0
+[options]
+enduring = "paper"
+[gas]
+count = 20
+radius = 0.5
+density = 1.909859317102744
+thermal_speed = 1.4142135623730951
+seed = 3
+[observe]
+every = 0.01
+"#;
+
+/// Only looks.
+struct Looker(Recorder);
+
+impl Attendant for Looker {
+    fn sample(&mut self, _: &mut dyn Method, _: f64) -> anyhow::Result<()> {
+        Ok(())
+    }
+
+    fn look(&mut self, method: &mut dyn Method, time: f64) {
+        let tally = method.take_tally();
+        self.0.look(time, &tally, &method.grains());
+    }
+}
+
+/// What was measured, by name and of what, and the energy at the beginning and the end.
+struct Measured {
+    recorder: Recorder,
+    energy: [f64; 2],
+}
+
+impl Measured {
+    fn of(text: &str, name: MethodName) -> Self {
+        let scenario = Scenario::parse(text).unwrap();
+        let start = Start::new(&scenario).unwrap();
+        let recorder = Recorder::new(&scenario, &start, None).unwrap().unwrap();
+        let mut looker = Looker(recorder);
+        let energy = method::with(name, &scenario, &start, |method| {
+            let before = method.kinetic_energy();
+            let plan = Plan::new(&scenario);
+            run::attend(method, &plan, &mut Position::default(), &mut looker)?.whole()?;
+            Ok([before, method.kinetic_energy()])
+        });
+        Self { recorder: looker.0, energy: energy.unwrap() }
+    }
+
+    fn value(&self, name: &str, of: &str) -> f64 {
+        let means = self.recorder.means();
+        let found = means.iter().find(|(quantity, _)| quantity.name == name && quantity.of == of);
+        found.unwrap_or_else(|| panic!("no {name} of {of}")).1.value
+    }
+}
+
+/// d/dt Σ m x v = Σ m v² + Σ r·F − F (L − 2 R), F the force on a wall: on average the stress of motion and
+/// contacts is what the walls feel, but for the left-hand side, which falls as 1/t.
+fn assert_stress_is_felt_by_walls(text: &str, method: MethodName, tolerance: f64) {
+    let found = Measured::of(text, method);
+    for (axis, length) in [("x", 8.0), ("y", 6.0)] {
+        let stress = found.value(&format!("stress {axis}{axis}"), "all") * 48.0;
+        let force = |end| found.value("force", &format!("wall {axis} {end}"));
+        let felt = 0.5 * (force("from") + force("to")) * (length - 1.0);
+        assert!((stress / felt - 1.0).abs() < tolerance, "{axis}: {stress} and {felt}");
+        assert!((force("from") / force("to") - 1.0).abs() < 0.2);
+    }
+    assert!(found.value("compressibility factor", "all") > 1.5);
+}
+
+#[test]
+fn hard_disks_press_on_walls_as_their_stress_says() {
+    assert_stress_is_felt_by_walls(&BOX.replace("40.0", "200.0"), MethodName::Emd, 0.01);
+}
+
+/// Contacts that take a third of the time between them: what they transfer is all there.
+#[test]
+fn soft_disks_do_so_too() {
+    let soft = BOX.replace("1.0e4", "1.0e3").replace("40.0", "80.0");
+    let found = Measured::of(&soft, MethodName::EmdStar);
+    assert!(found.value("lasting contacts", "all") > 0.5);
+    assert!(found.value("contact duration", "all") > 0.02);
+    assert_stress_is_felt_by_walls(&soft, MethodName::EmdStar, 0.02);
+}
+
+/// In contacts between grains and with walls goes what is missing in the end.
+#[test]
+fn the_energy_lost_is_what_is_missing() {
+    let lossy = BOX
+        .replace("damping = 0.0", "damping = 5.0")
+        .replace("restitution = 1.0", "restitution = 0.9");
+    for method in [MethodName::Emd, MethodName::EmdStar] {
+        let found = Measured::of(&lossy, method);
+        let walls = ["x from", "x to", "y from", "y to"].map(|wall| format!("wall {wall}"));
+        let walls: f64 = walls.iter().map(|of| found.value("energy lost in contacts", of)).sum();
+        let lost = 40.0 * (found.value("energy lost in contacts", "all") + walls);
+        let missing = found.energy[0] - found.energy[1];
+        assert!(walls > 0.0 && missing > 0.3 * found.energy[0]);
+        assert!((lost / missing - 1.0).abs() < 1e-3, "{method:?}: {lost} of {missing}");
+    }
+}
+
+/// Equipartition: two kinds of elastic disks, one eight times as heavy, have one temperature.
+#[test]
+fn species_are_told_apart() {
+    let mut text = BOX.replace("count = 20", "count = 12").replace("40.0", "200.0");
+    let at = text.find("[gas]").unwrap();
+    let grains = "[[grain]]\nradius = 0.4\nmass = 8.0\nat = [1.0, 1.0]\nmoving = [0.5, 0.2]\n";
+    text.insert_str(at, &[grains, &grains.replace("1.0, 1.0", "3.0, 1.0")].concat());
+    let found = Measured::of(&text, MethodName::Emd);
+    let [heavy, light] = ["species 0", "species 1"].map(|s| found.value("temperature", s));
+    let all = found.value("temperature", "all");
+    assert!(((2.0 * heavy + 12.0 * light) / 14.0 / all - 1.0).abs() < 1e-9);
+    assert!((heavy / light - 1.0).abs() < 0.15, "{heavy} and {light}");
+    assert!(found.value("contacts", "species 0 - species 1") > 0.0);
+}
+
+/// A mean free time of elastic hard spheres at density 0.5, N = 256, two thousand collisions a grain:
+/// Lue 2005 has 0.1303 for larger systems.
+#[test]
+fn spheres_fly_as_long_as_is_known() {
+    let text = r#"
+dimension = 3
+duration = 12.0
+sample = 12.0
+methods = ["emd"]
+[box]
+x = { kind = "periodic" }
+y = { kind = "periodic" }
+z = { kind = "periodic" }
+[law]
+kind = "constant"
+restitution = 1.0
+[gas]
+count = 256
+packing_fraction = 0.261799388
+radius = 0.5
+density = 1.909859317102744
+thermal_speed = 1.4142135623730951
+seed = 1
+[observe]
+from = 2.0
+every = 0.1
+"#;
+    let found = Measured::of(text, MethodName::Emd);
+    let temperature = found.value("temperature", "all");
+    let free = found.value("mean free time", "all") * temperature.sqrt();
+    assert!((free / 0.13031 - 1.0).abs() < 0.03, "{free}");
+    let z = found.value("compressibility factor", "all");
+    assert!((z / 3.2616 - 1.0).abs() < 0.03, "{z}");
+    // ⟨v⟩ of approach at contact: √(π T/m).
+    let approach = found.value("speed of approach", "all") / temperature.sqrt();
+    assert!((approach / 1.77245 - 1.0).abs() < 0.02, "{approach}");
+}
+
+#[test]
+fn what_cannot_be_measured_is_refused() {
+    let profile = "[observe.profile]\naxis = ";
+    for (old, new, wanted) in [
+        ("every = 0.01", &*format!("{profile}\"w\""), "unknown variant `w`"),
+        ("every = 0.01", &*format!("{profile}\"x\"\nbins = 0"), "observe.profile.bins is 0"),
+        ("every = 0.01", "every = 0.0", "observe.every is 0, must be above 0"),
+        ("every = 0.01", "every = 1e-9", "observe.every is 1e-9: more than"),
+        ("every = 0.01", "every = 41.0", "observe.every is 41, must be at most duration - from"),
+        ("every = 0.01", "from = -1.0", "observe.from is -1, must be at least 0"),
+        ("every = 0.01", "from = 40.0", "observe.from is 40, must be less than duration"),
+        ("every = 0.01", "ever = 1.0", "unknown field `ever`"),
+    ] {
+        let error = format!("{:#}", Scenario::parse(&BOX.replace(old, new)).unwrap_err());
+        assert!(error.contains(wanted), "{new}: {error}");
+    }
+}
+
+/// What fits the file but not the system.
+#[test]
+fn what_does_not_fit_the_system_is_refused() {
+    let open = BOX.replacen(
+        "x = { kind = \"walls\", from = 0.0, to = 8.0, surface = \"hard\", restitution = 1.0 }\n",
+        "",
+        1,
+    );
+    let open = open.split("[gas]").next().unwrap().to_owned()
+        + "[[grain]]\nradius = 0.5\nmass = 1.0\nat = [1.0, 1.0]\n[observe]\n";
+    for (text, more, wanted) in [
+        (BOX, "[observe.profile]\naxis = \"z\"", "observe.profile.axis is z, but dimension is 2"),
+        (&open, "[observe.profile]\naxis = \"x\"", "observe.profile.from: box.x has no such end"),
+        (BOX, "[observe.profile]\naxis = \"x\"\nfrom = 9.0", "from must be the smaller"),
+        (&open, "[observe.pair_distribution]", "box.x is open, must be periodic or walled"),
+        (BOX, "[observe.pair_distribution]\nto = 4.0", "at most 3, half of box.y"),
+    ] {
+        let scenario = Scenario::parse(&format!("{text}{more}")).unwrap();
+        let start = Start::new(&scenario).unwrap();
+        let error = format!("{:#}", Recorder::new(&scenario, &start, None).unwrap_err());
+        assert!(error.contains(wanted), "{more}: {error}");
+    }
+}
+
+/// Points under gravity, between a floor and a roof that they leave as fast as they came: all of them are
+/// somewhere, they are denser below, and what they have across gravity is the same at all heights.
+#[test]
+fn the_profile_of_points_under_gravity() {
+    let text = BOX
+        .replace("dimension = 2", "dimension = 2\ngravity = [0.0, -0.5]")
+        .replace("count = 20", "count = 200")
+        .replace("radius = 0.5", "radius = 1e-4")
+        .replace("density = 1.909859317102744", "density = 2.387e11")
+        .replace(
+            "x = { kind = \"walls\", from = 0.0, to = 8.0, surface = \"hard\", restitution = 1.0 }",
+            "x = { kind = \"periodic\", from = 0.0, to = 8.0 }",
+        )
+        .replace("every = 0.01", "every = 0.1\n[observe.profile]\naxis = \"y\"\nbins = 6");
+    let found = Measured::of(&text, MethodName::Emd);
+    let tables = found.recorder.tables();
+    let profile = tables.iter().find(|table| table.name == "profile").unwrap();
+    let column = |name: &str| {
+        let place = profile.columns.iter().position(|column| column.name == name).unwrap();
+        let cell = |row: &Vec<Cell>| match row[place] {
+            Cell::Number(number) => number,
+            _ => f64::NAN,
+        };
+        profile.rows.iter().map(cell).collect::<Vec<f64>>()
+    };
+    let density = column("number density [1/m2]");
+    let sum: f64 = density.iter().sum::<f64>() * 8.0;
+    assert!((sum - 200.0).abs() < 1e-9, "{sum}");
+    assert!(density.windows(2).all(|pair| pair[1] < pair[0]), "{density:?}");
+    let horizontal = column("temperature x [J]");
+    let mean = horizontal.iter().sum::<f64>() / 6.0;
+    assert!(horizontal.iter().all(|t| (t / mean - 1.0).abs() < 0.35), "{horizontal:?}");
+}
