@@ -48,6 +48,12 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
         Self { low: zero, length: zero, lattice: zero, planes, count: 0 }
     }
 
+    /// The same boundaries, lent for a while.
+    pub(crate) fn lent(&mut self) -> Boundary<'_, S, D> {
+        let Self { low, length, lattice, ref mut planes, count } = *self;
+        Boundary { low, length, lattice, planes, count }
+    }
+
     /// How many planes there can be.
     pub(crate) fn capacity(&self) -> usize {
         self.planes.len().min(MAX_PLANES)

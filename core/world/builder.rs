@@ -12,8 +12,7 @@ use crate::resolve::{Parameters, Release, min_hop_time};
 use crate::scalar::{Clock, Instant, Scalar, Vector};
 use crate::schedule::EventQueue;
 use crate::space::{
-    Boundary, Cells, Domain, MAX_PLANES, Particles, PeriodicAxis, Plane, Surface, choose_cells,
-    largest_radius,
+    Boundary, Cells, Domain, MAX_PLANES, Particles, Plane, Surface, choose_cells, largest_radius,
 };
 
 /// A builder that has no rule yet, and so cannot start.
@@ -26,18 +25,22 @@ pub struct WorldBuilder<'m, S: Scalar, const D: usize, R> {
     pub(super) count: usize,
     pub(super) boundary: Boundary<'m, S, D>,
     pub(super) gravity: Vector<S, D>,
-    release: Release,
-    t_c: S,
+    pub(super) release: Release,
+    pub(super) t_c: S,
     pub(super) settings: Settings<S>,
-    rule: R,
+    pub(super) rule: R,
     /// The first thing that was wrong; told by [`WorldBuilder::start`].
-    error: Option<Error>,
+    pub(super) error: Option<Error>,
 }
 
 impl<'m, S: Scalar, const D: usize> World<'m, S, D, NoRule> {
     /// Begins to describe a world that will live in this memory.
     pub fn builder(memory: &'m mut impl Storage<S, D>) -> WorldBuilder<'m, S, D, NoRule> {
-        let mut buffers = memory.buffers();
+        Self::builder_with(memory.buffers())
+    }
+
+    /// As [`World::builder`], in arrays that are already lent.
+    pub fn builder_with(mut buffers: Buffers<'m, S, D>) -> WorldBuilder<'m, S, D, NoRule> {
         let boundary = Boundary::open(core::mem::take(&mut buffers.planes));
         WorldBuilder {
             buffers,
@@ -113,17 +116,9 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
 
     /// One periodic axis, from low to high.
     #[must_use]
-    pub fn periodic_axis(mut self, axis: usize, [low, high]: [S; 2]) -> Self {
-        let length = high - low;
-        let no =
-            |field, value, wanted| Err(Error::input(Subject::Axis(axis), field, value, wanted));
-        if axis >= D {
-            self.note(no("axis", axis as f64, "the number of an axis"));
-        }
-        if !(length > S::zero()) {
-            self.note(no("length", length.to_f64(), check_input::LENGTH));
-        }
-        self.boundary.set_periodic(axis, PeriodicAxis { low, length });
+    pub fn periodic_axis(mut self, axis: usize, side: [S; 2]) -> Self {
+        let set = self.set_periodic_axis(axis, side);
+        self.note(set);
         self
     }
 
@@ -176,11 +171,8 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     /// their radius ([`Error::LongContact`] from `start`, or from [`World::set_gravity`]).
     #[must_use]
     pub fn contact_time(mut self, time: S) -> Self {
-        if !(time > S::zero() && time.is_finite()) {
-            let wanted = "finite and above 0";
-            self.note(Err(Error::input(Subject::World, "contact time", time.to_f64(), wanted)));
-        }
-        self.settings.contact_time = Some(time);
+        let set = self.set_contact_time(time);
+        self.note(set);
         self
     }
 
@@ -188,12 +180,8 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     /// error falls with the square of it. [`Enduring::Integrated`] only.
     #[must_use]
     pub fn steps_per_contact(mut self, steps: u32) -> Self {
-        if !(8..=4096).contains(&steps) {
-            let wanted = "between 8 and 4096";
-            let no = Error::input(Subject::World, "steps per contact", f64::from(steps), wanted);
-            self.note(Err(no));
-        }
-        self.settings.steps = S::from_count(steps);
+        let set = self.set_steps_per_contact(steps);
+        self.note(set);
         self
     }
 

@@ -5,7 +5,10 @@ use crate::particle::{Body, Grain, Partner};
 use crate::scalar::{Instant, Scalar, Vector, dot, norm};
 use crate::space::{Boundary, Domain, Particles, Plane, Surface, Vibration};
 
-fn plane<S: Scalar, const D: usize>(plane: &Plane<S, D>, number: usize) -> Result<(), Error> {
+pub(super) fn plane<S: Scalar, const D: usize>(
+    plane: &Plane<S, D>,
+    number: usize,
+) -> Result<(), Error> {
     let subject = Subject::Plane(number);
     finite(subject, "normal", &plane.normal)?;
     let length = dot(&plane.normal, &plane.normal);

@@ -6,6 +6,7 @@ mod change;
 mod check_input;
 mod check_scales;
 mod check_snapshot;
+mod describe;
 mod digest;
 mod gravity;
 mod observe;

@@ -13,10 +13,34 @@ impl<S: Scalar, const D: usize, R> WorldBuilder<'_, S, D, R> {
     /// # Errors
     /// [`Error::Full`] if the memory holds no more, [`Error::Input`] that names the grain and its field.
     pub fn grain(mut self, grain: Grain<S, D>) -> Result<Self, Error> {
-        check_input::grain(&grain, self.count)?;
+        self.add_grain(grain)?;
+        Ok(self)
+    }
+
+    /// As [`WorldBuilder::grain`], and says its number.
+    ///
+    /// ```
+    /// use carom::{Grain, Memory, World};
+    /// let mut memory = Memory::<f32, 2, 8>::new();
+    /// let mut beads = World::builder(&mut memory);
+    /// assert!(beads.add_grain(Grain::with_mass(f32::NAN, 1.0)).is_err());
+    /// assert_eq!(beads.add_grain(Grain::with_mass(0.5, 1.0)), Ok(0)); // the one before is not there
+    /// ```
+    ///
+    /// # Errors
+    /// As [`WorldBuilder::grain`]. Nothing has changed then.
+    pub fn add_grain(&mut self, grain: Grain<S, D>) -> Result<usize, Error> {
+        let number = self.count;
+        check_input::grain(&grain, number)?;
         *self.place()? = Body::new(&grain);
         self.count += 1;
-        Ok(self)
+        Ok(number)
+    }
+
+    /// How many places for grains are taken so far.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.count
     }
 
     /// Many more grains.

@@ -3,7 +3,7 @@
 use super::check_snapshot;
 use super::state::{Progress, World};
 use super::statistics::Statistics;
-use super::storage::Storage;
+use super::storage::{Buffers, Storage};
 use crate::cluster::{Clusters, Settings};
 use crate::detect::ScheduledEvent;
 use crate::error::Error;
@@ -45,6 +45,53 @@ pub struct Snapshot<S: Scalar, const D: usize, B, Q> {
     events: Q,
 }
 
+impl<S: Scalar, const D: usize, B, Q> Snapshot<S, D, B, Q> {
+    /// The bodies and the scheduled events.
+    #[must_use]
+    pub fn arrays(&self) -> (&B, &Q) {
+        (&self.bodies, &self.events)
+    }
+
+    /// The same state, its bodies and scheduled events kept elsewhere: in memory of one's own.
+    ///
+    /// ```
+    /// use carom::{Grain, Memory, World, law::HardSphere};
+    /// let rule = HardSphere { restitution: 0.9 };
+    /// let mut memory = Memory::<f32, 1, 1>::new();
+    /// let grain = Grain::with_mass(0.5, 1.0).moving([1.0]);
+    /// let mut world = World::builder(&mut memory).rule(rule).grain(grain)?.start()?;
+    /// let saved = world.save();
+    /// let (bodies, events) = saved.arrays();
+    /// let (bodies, events) = (bodies.to_vec(), events.to_vec());
+    /// let saved = saved.kept_in(bodies, events); // it borrows the world no longer
+    /// world.advance_to(1.0)?;
+    /// let world = World::restore(&mut memory, rule, &saved)?;
+    /// assert_eq!(world.now(), carom::Instant::START);
+    /// # Ok::<(), carom::Error>(())
+    /// ```
+    #[must_use]
+    pub fn kept_in<C, P>(self, bodies: C, events: P) -> Snapshot<S, D, C, P> {
+        Snapshot {
+            boundary: self.boundary,
+            grid: self.grid,
+            gravity: self.gravity,
+            now: self.now,
+            last_visible: self.last_visible,
+            epoch: self.epoch,
+            release: self.release,
+            t_c: self.t_c,
+            settings: self.settings,
+            settled_gravity: self.settled_gravity,
+            clusters: self.clusters,
+            statistics: self.statistics,
+            lossy_hops: self.lossy_hops,
+            progress: self.progress,
+            bodies,
+            events,
+        }
+    }
+}
+
 impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
     /// The whole state, borrowed.
     #[must_use]
@@ -84,13 +131,29 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
         B: AsRef<[Body<S, D>]>,
         Q: AsRef<[ScheduledEvent<S>]>,
     {
+        Self::restore_with(memory.buffers(), rule, saved)
+    }
+
+    /// As [`World::restore`], in arrays that are already lent.
+    ///
+    /// # Errors
+    /// As [`World::restore`].
+    pub fn restore_with<B, Q>(
+        buffers: Buffers<'m, S, D>,
+        rule: R,
+        saved: &Snapshot<S, D, B, Q>,
+    ) -> Result<Self, Error>
+    where
+        B: AsRef<[Body<S, D>]>,
+        Q: AsRef<[ScheduledEvent<S>]>,
+    {
         let (bodies, events) = (saved.bodies.as_ref(), saved.events.as_ref());
         let planes = saved.boundary.planes.len();
         check_snapshot::check(bodies, events, saved.now, planes)?;
         check_snapshot::check_clusters(&saved.clusters, saved.now)?;
         check_snapshot::check_statistics(&saved.statistics)?;
         check_snapshot::check_mode(rule.enduring(), saved.settings.enduring)?;
-        let builder = World::builder(memory).rule(rule);
+        let builder = World::builder_with(buffers).rule(rule);
         let mut builder =
             bodies.iter().try_fold(builder, |builder, body| match body.is_vacant() {
                 true => builder.reserve(1),

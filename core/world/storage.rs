@@ -37,6 +37,20 @@ impl<S: Scalar, const D: usize> Buffers<'_, S, D> {
         let lengths = [self.events.len(), self.tree.len(), self.links.len()];
         lengths.into_iter().fold(self.bodies.len(), usize::min)
     }
+
+    /// The same memory, lent for a while.
+    pub(super) fn lent(&mut self) -> Buffers<'_, S, D> {
+        Buffers {
+            bodies: self.bodies,
+            events: self.events,
+            tree: self.tree,
+            links: self.links,
+            heads: self.heads,
+            planes: self.planes,
+            accelerations: self.accelerations,
+            calendar: self.calendar,
+        }
+    }
 }
 
 /// Something a world can live in: [`Memory`], with the feature `alloc` `HeapMemory`, or your own arrays.

@@ -8,6 +8,7 @@ mod clusters;
 mod conservation;
 mod contact;
 mod corners;
+mod described;
 mod drift;
 mod errors;
 mod fixed;
