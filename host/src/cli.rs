@@ -22,6 +22,8 @@ enum Command {
     Demo(commands::compare::DemoOptions),
     /// Run a scenario by the methods it names; write time series, trajectories and a summary.
     Run(commands::run::Options),
+    /// Draw what a run wrote: curves over the first column of a CSV or Parquet file.
+    Plot(commands::plot::Options),
     /// Run a scenario by several methods from the same start and compare what they get.
     Compare(commands::compare::CompareOptions),
     /// Run gases of ten grains until three touch, and show how far event-driven runs are from MD.
@@ -64,6 +66,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
         Some(Command::Merge(options)) => commands::sweep::merge(&options),
         Some(Command::Bench(options)) => commands::bench::run(&options),
         Some(Command::Table(options)) => commands::table::table(&options),
+        Some(Command::Plot(options)) => commands::plot::run(&options),
         Some(Command::Run(options)) => commands::run::run(&options),
         Some(Command::Demo(options)) => commands::compare::demo(&options),
         None => commands::compare::demo(&commands::compare::DemoOptions::default()),

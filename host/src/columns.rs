@@ -1,16 +1,18 @@
 //! What is a table of cells under columns, and how is it a Parquet file? Reads and writes Parquet, always the same bytes for the same rows.
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
-use parquet::file::reader::FileReader;
+use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::record::Field;
 use parquet::schema::types::Type;
 use serde::{Deserialize, Serialize};
+use std::fs::File;
 use std::io::Write;
+use std::path::Path;
 use std::sync::Arc;
 
 /// One number or word of a row.
@@ -160,6 +162,40 @@ fn write_column<'r, I: Iterator<Item = &'r Cell>>(
             }),
         ),
     }
+}
+
+/// The columns and rows of a Parquet file, or of a CSV file: a column in which every cell is a number or
+/// empty is one of numbers.
+///
+/// # Errors
+/// When it cannot be read; one line that names it.
+pub fn read_file(file: &Path) -> Result<(Vec<Column>, Vec<Vec<Cell>>)> {
+    let name = || file.display().to_string();
+    let open = File::open(file).with_context(|| format!("cannot read {}", file.display()))?;
+    if file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet")) {
+        let reader = SerializedFileReader::new(open).with_context(name)?;
+        return read_parquet(&reader).with_context(name);
+    }
+    read_csv(open).with_context(name)
+}
+
+fn read_csv(file: File) -> Result<(Vec<Column>, Vec<Vec<Cell>>)> {
+    let mut reader = csv::Reader::from_reader(file);
+    let heads: Vec<String> = reader.headers()?.iter().map(str::to_owned).collect();
+    let texts = reader.records().collect::<Result<Vec<_>, _>>()?;
+    let is_number = |text: &str| text.is_empty() || text.parse::<f64>().is_ok();
+    let kinds: Vec<Kind> = (0..heads.len())
+        .map(|k| texts.iter().all(|row| row.get(k).is_none_or(is_number)))
+        .map(|all| if all { Kind::Number } else { Kind::Text })
+        .collect();
+    let cell = |(text, kind): (&str, &Kind)| match (text, kind) {
+        ("", _) => Cell::Nothing,
+        (text, Kind::Number) => text.parse().map_or(Cell::Nothing, Cell::Number),
+        (text, _) => Cell::Text(text.to_owned()),
+    };
+    let rows = texts.iter().map(|row| row.iter().zip(&kinds).map(cell).collect()).collect();
+    let columns = heads.into_iter().zip(kinds).map(|(name, kind)| Column { name, kind });
+    Ok((columns.collect(), rows))
 }
 
 /// The columns and rows of a Parquet file that [`write_parquet`] wrote.

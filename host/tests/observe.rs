@@ -247,3 +247,58 @@ fn the_profile_of_points_under_gravity() {
     let mean = horizontal.iter().sum::<f64>() / 6.0;
     assert!(horizontal.iter().all(|t| (t / mean - 1.0).abs() < 0.35), "{horizontal:?}");
 }
+
+/// What a run wrote becomes a picture; what is no table of numbers is refused in one line.
+#[cfg(feature = "cli")]
+#[test]
+fn tables_are_drawn() {
+    use std::process::Command;
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let text =
+        BOX.replace("duration = 40.0", "duration = 2.0").replace("sample = 40.0", "sample = 1.0");
+    let more = "[observe.profile]\naxis = \"x\"\nbins = 8\n[observe.pair_distribution]\nto = 2.0\nbins = 20\n\
+        [observe.correlations]\nto = 0.5\npoints = 10\n";
+    std::fs::write(path("box.toml"), text + more).unwrap();
+    let carom = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+        let output = command.args(arguments).current_dir(folder.path()).output().unwrap();
+        (output.status.success(), String::from_utf8(output.stderr).unwrap())
+    };
+    let (success, error) = carom(&["run", "box.toml", "--out", "out"]);
+    assert!(success, "{error}");
+    for (name, words) in [
+        ("profile", "temperature [J]"),
+        ("pair-distribution", "r [m]"),
+        ("correlations", "mean square displacement [m2]"),
+        ("blocks", "pressure [N/m]"),
+    ] {
+        let tables = ["csv", "parquet"].map(|end| path(&format!("out/emd-star-{name}.{end}")));
+        let pictures = tables.map(|table| {
+            let svg = table.with_extension("svg");
+            let (table, svg) = (table.to_str().unwrap(), svg.to_str().unwrap());
+            let (success, error) = carom(&["plot", table, "--out", svg]);
+            assert!(success, "{error}");
+            std::fs::read_to_string(svg).unwrap()
+        });
+        assert_eq!(pictures[0], pictures[1], "{name}: CSV and Parquet differ");
+        let letters: String =
+            pictures[0].split('<').map(|part| part.rsplit('>').next().unwrap()).collect();
+        let bare = |text: &str| text.replace(char::is_whitespace, "");
+        assert!(bare(&letters).contains(&bare(words)), "{name}: {letters}");
+    }
+    assert!(carom(&["plot", "out/emd-star-profile.csv", "--show", "density", "--log", "y"]).0);
+    assert!(path("out/emd-star-profile.png").exists());
+    for (arguments, wanted) in [
+        (&["plot", "out/emd-star-averages.csv"][..], "holds words"),
+        (
+            &["plot", "out/emd-star-profile.csv", "--show", "colour"],
+            "no column is called colour; there are: number density",
+        ),
+        (&["plot", "none.csv"], "cannot read none.csv"),
+        (&["plot", "box.toml", "--out", "picture.gif"], ".png, .svg or .pdf"),
+    ] {
+        let (success, error) = carom(arguments);
+        assert!(!success && error.contains(wanted) && error.lines().count() == 1, "{error}");
+    }
+}

@@ -125,6 +125,34 @@ fn shards_merge_to_the_same_bytes() {
     }
 }
 
+/// Means and errors stand in the rows, the same as `carom run` writes, and survive shards and journals.
+#[test]
+fn what_is_measured_is_in_the_rows() {
+    let observed = format!("{SCENARIO}[observe]\nevery = 0.01\n");
+    let (folder, file) = folder(&observed, SWEEP);
+    let plan = Plan::read(&file).unwrap();
+    let whole = folder.path().join("whole.parquet");
+    sweep(&plan, [1, 1], &whole).unwrap();
+    let out = folder.path().join("parts.parquet");
+    let shards = [1, 2, 3].map(|i| sweep(&plan, [i, 3], &out).unwrap().file);
+    let merged = folder.path().join("merged.parquet");
+    merge(&shards).unwrap().write(&merged).unwrap();
+    assert_eq!(fs::read(&merged).unwrap(), fs::read(&whole).unwrap());
+    let scenario = folder.path().join("one.toml");
+    fs::write(&scenario, observed.replace("packing_fraction = 0.1", "packing_fraction = 0.05"))
+        .unwrap();
+    let run = folder.path().join("run");
+    let (success, output) =
+        output_of(carom().args(["run", "--method", "emd", "--out"]).arg(&run).arg(&scenario));
+    assert!(success, "{output}");
+    let averages = fs::read_to_string(run.join("emd-averages.csv")).unwrap();
+    let row = averages.lines().find(|line| line.starts_with("temperature,all,J,")).unwrap();
+    let numbers: Vec<f64> = row.split(',').skip(3).map(|text| text.parse().unwrap()).collect();
+    let rows = Rows::read(&whole).unwrap();
+    assert_eq!(cell(&rows, 0, "observed.temperature [J]"), &Cell::Number(numbers[0]));
+    assert_eq!(cell(&rows, 0, "observed.temperature error [J]"), &Cell::Number(numbers[1]));
+}
+
 #[test]
 fn shards_that_are_missing_twice_there_or_foreign_are_refused() {
     let (folder, file) = folder(SCENARIO, SWEEP);

@@ -6,6 +6,7 @@ pub mod compare;
 pub mod figure;
 pub mod hard;
 mod heaps;
+pub mod plot;
 pub mod run;
 pub mod sweep;
 pub mod table;

@@ -202,18 +202,31 @@ fn entries(scene: &mut Scene, figure: &Figure, style: &PlotStyle) {
 
 /// Puts the second picture to the right of the first.
 pub fn beside(first: Scene, second: Scene) -> Scene {
-    let shift = first.width;
-    let moved = |rect: Rect| Rect { x: rect.x + shift, ..rect };
-    let mut page = Scene::new(first.width + second.width, first.height.max(second.height));
+    let by = [first.width, 0.0];
+    put(first, second, by)
+}
+
+/// Puts the second picture under the first.
+pub fn below(first: Scene, second: Scene) -> Scene {
+    let by = [0.0, first.height];
+    put(first, second, by)
+}
+
+/// Puts the second picture on the page of the first, so far to the right and down.
+fn put(first: Scene, second: Scene, [x, y]: [f64; 2]) -> Scene {
+    let moved = |rect: Rect| Rect { x: rect.x + x, y: rect.y + y, ..rect };
+    let shift = Transform::from_translate(x as f32, y as f32);
+    let mut page =
+        Scene::new(first.width.max(x + second.width), first.height.max(y + second.height));
     page.items = first.items;
     page.items.extend(second.items.into_iter().filter_map(|item| match item {
         Item::Shape { path, fill, stroke, clip } => {
-            let path = path.transform(Transform::from_translate(shift as f32, 0.0))?;
+            let path = path.transform(shift)?;
             Some(Item::Shape { path, fill, stroke, clip: clip.map(moved) })
         }
         Item::Letters { path, colour, at, upright, runs } => {
-            let path = path.transform(Transform::from_translate(shift as f32, 0.0))?;
-            Some(Item::Letters { path, colour, at: [at[0] + shift, at[1]], upright, runs })
+            let path = path.transform(shift)?;
+            Some(Item::Letters { path, colour, at: [at[0] + x, at[1] + y], upright, runs })
         }
         Item::Pixels { place, size, rgba } => {
             Some(Item::Pixels { place: moved(place), size, rgba })

@@ -6,6 +6,7 @@
 //! set the paper's numbers beside ours.
 
 pub mod bsfp14;
+pub mod curves;
 mod data;
 pub mod draw;
 pub mod fit;

@@ -31,17 +31,21 @@ impl Quantity {
         (self.value)(sums)
     }
 
-    /// Name, of what, and unit: the head of a column.
-    pub fn head(&self) -> String {
+    /// Name, of what, and unit: the head of a column, or of that of its errors.
+    pub fn head(&self, what: &str) -> String {
         let Self { name, of, unit, .. } = self;
         let of = if of == ALL { String::new() } else { format!(" ({of})") };
-        if unit.is_empty() { format!("{name}{of}") } else { format!("{name}{of} [{unit}]") }
+        if unit.is_empty() {
+            format!("{name}{of}{what}")
+        } else {
+            format!("{name}{of}{what} [{unit}]")
+        }
     }
 }
 
 impl std::fmt::Debug for Quantity {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.head())
+        f.write_str(&self.head(""))
     }
 }
 

@@ -175,7 +175,8 @@ impl Recorder {
     fn series(&self) -> Table {
         let quantities: Vec<Quantity> = self.means().into_iter().map(|(q, _)| q).collect();
         let heads = ["from [s]".to_owned(), "to [s]".to_owned()];
-        let heads = heads.into_iter().chain(quantities.iter().map(Quantity::head)).collect();
+        let heads =
+            heads.into_iter().chain(quantities.iter().map(|quantity| quantity.head(""))).collect();
         let mut table = Table::new("blocks", 0, heads);
         let mut time = self.sums.span.map_or(0.0, |[from, _]| from);
         for block in self.sums.blocks.whole() {

@@ -102,18 +102,24 @@ fn finish(
     Ok((journal.map_err(|_| anyhow::anyhow!("the journal was left half-written"))?, fresh))
 }
 
-/// One row for each run: its number, what was set, what came out, and the statistics of all runs.
+/// One row for each run: its number, what was set, what came out, what was measured, and the statistics of all runs.
 fn rows(plan: &Plan, shard: Option<[usize; 2]>, done: &[Done]) -> Result<Rows> {
-    let statistics = run::statistics(done);
+    let (statistics, measured) = (run::statistics(done), run::measured(done));
     let whole = |name: String| Column { name, kind: Kind::Whole };
     let mut columns = vec![whole("run".to_owned())];
     columns.extend(plan.columns());
     columns.extend(run::columns());
+    let number = |name: String| Column { name, kind: Kind::Number };
+    columns.extend(measured.iter().map(|name| number(format!("{MEASURED}{name}"))));
     columns.extend(statistics.iter().map(|name| whole(format!("{STATISTIC}{name}"))));
     let row = |done: &Done| -> Result<Vec<Cell>> {
         let mut row = vec![Cell::Whole(i64::try_from(done.run)?)];
         row.extend(plan.run(done.run)?.cells);
         row.extend(done.cells.iter().cloned());
+        for name in &measured {
+            let found = done.measured.iter().find(|(other, _)| other == name);
+            row.push(found.map_or(Cell::Nothing, |(_, value)| Cell::Number(*value)));
+        }
         for name in &statistics {
             let found = done.statistics.iter().find(|(other, _)| other == name);
             row.push(found.map_or(Ok(Cell::Nothing), |(_, n)| i64::try_from(*n).map(Cell::Whole))?);
@@ -133,7 +139,8 @@ impl Rows {
     }
 }
 
-/// Columns of statistics are called so: runs may differ in which they have.
+/// Columns of what was measured and of statistics are called so: runs may differ in which they have.
+const MEASURED: &str = "observed.";
 const STATISTIC: &str = "statistics.";
 
 /// Puts the shards of one sweep together, in whatever order they are named.
@@ -156,16 +163,17 @@ pub fn merge(files: &[PathBuf]) -> Result<Rows> {
     Ok(Rows { source: first.source.clone(), shard: None, columns, rows })
 }
 
-/// Those of the first shard that are not statistics, and then all statistics in alphabetical order.
+/// Those of the first shard that all runs have, and then the others in alphabetical order.
 fn columns(shards: &[Rows]) -> Vec<Column> {
-    let is_statistic = |column: &&Column| column.name.starts_with(STATISTIC);
+    let may_lack =
+        |column: &&Column| [MEASURED, STATISTIC].iter().any(|part| column.name.starts_with(part));
     let fixed = shards.iter().take(1).flat_map(|shard| &shard.columns);
-    let statistics: BTreeMap<&str, &Column> = shards
+    let others: BTreeMap<&str, &Column> = shards
         .iter()
-        .flat_map(|shard| shard.columns.iter().filter(is_statistic))
+        .flat_map(|shard| shard.columns.iter().filter(may_lack))
         .map(|column| (column.name.as_str(), column))
         .collect();
-    fixed.filter(|column| !is_statistic(column)).chain(statistics.into_values()).cloned().collect()
+    fixed.filter(|column| !may_lack(column)).chain(others.into_values()).cloned().collect()
 }
 
 /// The rows of a shard with a cell for each of these columns.

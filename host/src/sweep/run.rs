@@ -4,6 +4,7 @@ use super::plan::Run;
 use super::table::Source;
 use crate::columns::{Cell, Column, Kind};
 use crate::method::{self, Method};
+use crate::observe::Recorder;
 use crate::run::{self, Attendant, Plan, Position};
 use crate::scenario::Start;
 use anyhow::{Context, Result, anyhow, bail};
@@ -22,6 +23,9 @@ pub struct Done {
     pub cells: Vec<Cell>,
     /// How often everything happened.
     pub statistics: Vec<(String, u64)>,
+    /// What was measured, with errors, those left out that are not known.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub measured: Vec<(String, f64)>,
 }
 
 /// The columns of a result; statistics follow.
@@ -42,6 +46,11 @@ pub fn statistics(all: &[Done]) -> BTreeSet<&str> {
     all.iter().flat_map(|done| done.statistics.iter().map(|(name, _)| name.as_str())).collect()
 }
 
+/// The heads of everything that was measured in some run, in alphabetical order.
+pub fn measured(all: &[Done]) -> BTreeSet<&str> {
+    all.iter().flat_map(|done| done.measured.iter().map(|(name, _)| name.as_str())).collect()
+}
+
 /// Runs one run to its end. A run that fails is done as well: its row says why.
 pub fn execute(number: usize, run: &Run) -> Done {
     match finish(number, run) {
@@ -49,7 +58,7 @@ pub fn execute(number: usize, run: &Run) -> Done {
         Err(error) => {
             let mut cells = vec![Cell::Nothing; columns().len() - 1];
             cells.push(Cell::Text(format!("{error:#}")));
-            Done { run: number, cells, statistics: Vec::new() }
+            Done { run: number, cells, statistics: Vec::new(), measured: Vec::new() }
         }
     }
 }
@@ -59,7 +68,8 @@ fn finish(number: usize, asked: &Run) -> Result<Done> {
     method::with(asked.method, &asked.scenario, &start, |method| {
         let before = method.kinetic_energy();
         let (plan, mut position) = (Plan::new(&asked.scenario), Position::default());
-        run::attend(method, &plan, &mut position, &mut Alone)?.whole()?;
+        let mut alone = Alone(Recorder::new(&asked.scenario, &start, None)?);
+        run::attend(method, &plan, &mut position, &mut alone)?.whole()?;
         let whole = |count: u64| Cell::Whole(i64::try_from(count).unwrap_or(i64::MAX));
         let cells = vec![
             whole(start.grains.len() as u64),
@@ -71,16 +81,34 @@ fn finish(number: usize, asked: &Run) -> Result<Done> {
         ];
         let statistics = method.statistics().into_iter();
         let statistics = statistics.map(|(name, count)| (name.to_owned(), count)).collect();
-        Ok(Done { run: number, cells, statistics })
+        Ok(Done { run: number, cells, statistics, measured: alone.measured() })
     })
 }
 
-/// Nobody looks on.
-struct Alone;
+/// Nobody looks on, but for what is measured.
+struct Alone(Option<Recorder>);
 
 impl Attendant for Alone {
     fn sample(&mut self, _: &mut dyn Method, _: f64) -> Result<()> {
         Ok(())
+    }
+
+    fn look(&mut self, method: &mut dyn Method, time: f64) {
+        let tally = method.take_tally();
+        if let Some(recorder) = &mut self.0 {
+            recorder.look(time, &tally, &method.grains());
+        }
+    }
+}
+
+impl Alone {
+    /// Every mean, and its error where there is one.
+    fn measured(&self) -> Vec<(String, f64)> {
+        let means = self.0.iter().flat_map(Recorder::means);
+        let both = means.flat_map(|(quantity, mean)| {
+            [(quantity.head(""), mean.value), (quantity.head(" error"), mean.error)]
+        });
+        both.filter(|(_, value)| value.is_finite()).collect()
     }
 }
 
