@@ -9,7 +9,7 @@ use super::sleep::rounded_speed;
 use crate::law::{Impact, Rule};
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, dot, norm};
-use crate::space::{Domain, Particles, Plane, Surface};
+use crate::space::{Domain, Particles, Plane};
 
 /// After so many collisions in a step a grain goes on by forces alone.
 pub(crate) const MAX_COLLISIONS: u16 = 8;
@@ -194,15 +194,12 @@ fn with_plane<S: Scalar, const D: usize>(
             normal_speed: S::zero(),
             tangential_speed: S::zero(),
             acceleration: S::zero(),
-            materials: [body.material; 2],
+            materials: plane.surface.materials(body.material),
         },
         radius: body.radius,
         overlap,
         rate: plane.motion(now).speed - dot(&plane.normal, &body.velocity),
-        hard: match plane.surface {
-            Surface::Hard(restitution) => Some(restitution),
-            Surface::Rule => None,
-        },
+        hard: plane.surface.restitution(),
         only_forces: body.consecutive_collisions >= MAX_COLLISIONS,
     }
 }

@@ -74,8 +74,8 @@ impl<S: Scalar> Settings<S> {
         let [speed, _] = self.plates;
         fastest = fastest.max(speed);
         let is_hard = |plane: &Plane<S, D>| matches!(plane.surface, Surface::Hard(_));
-        self.is_rule_instantaneous = self.has_pair(rule, bodies, false);
-        self.has_forces = self.has_pair(rule, bodies, true);
+        self.is_rule_instantaneous = self.has_pair(rule, bodies, boundary, false);
+        self.has_forces = self.has_pair(rule, bodies, boundary, true);
         self.has_instantaneous =
             self.is_rule_instantaneous || boundary.planes().iter().any(is_hard);
         self.take_gravity(gravity, fastest);
@@ -87,21 +87,22 @@ impl<S: Scalar> Settings<S> {
         mut self,
         rule: &R,
         grain: &Body<S, D>,
-        bodies: &[Body<S, D>],
+        (bodies, boundary): (&[Body<S, D>], &Boundary<'_, S, D>),
     ) -> Self {
         let [radius, mass] = self.smallest;
         self.smallest = [radius.min(grain.radius), mass.min(grain.mass)];
-        self.is_rule_instantaneous |= self.has_pair(rule, bodies, false);
+        self.is_rule_instantaneous |= self.has_pair(rule, bodies, boundary, false);
         self.has_instantaneous |= self.is_rule_instantaneous;
-        self.has_forces |= self.has_pair(rule, bodies, true);
+        self.has_forces |= self.has_pair(rule, bodies, boundary, true);
         self
     }
 
-    /// Whether two of these grains may have a force law, or none. Of more than 16 materials some may.
+    /// Whether two of these grains, or one and a plane, may have a force law, or none. Of more than 16 materials some may.
     fn has_pair<const D: usize, R: Rule<S>>(
         &self,
         rule: &R,
         bodies: &[Body<S, D>],
+        boundary: &Boundary<'_, S, D>,
         with_force: bool,
     ) -> bool {
         let mut materials = heapless::Vec::<u8, 16>::new();
@@ -110,7 +111,11 @@ impl<S: Scalar> Settings<S> {
                 return true;
             }
         }
-        let pairs = materials.iter().flat_map(|&a| materials.iter().map(move |&b| [a, b]));
+        let planes = boundary.planes().iter();
+        let pairs = materials.iter().flat_map(|&a| {
+            let with_planes = planes.clone().map(move |plane| plane.surface.materials(a));
+            materials.iter().map(move |&b| [a, b]).chain(with_planes)
+        });
         let mut impacts = pairs.map(|materials| Impact { materials, ..self.small_pair(S::one()) });
         impacts.any(|impact| rule.force(&impact, S::zero()).is_some() == with_force)
     }

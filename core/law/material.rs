@@ -49,19 +49,52 @@ mod rows {
 }
 
 impl<R, const M: usize> ByMaterial<R, M> {
-    fn rule(&self, materials: [u8; 2]) -> Option<&R> {
-        let last = M.saturating_sub(1);
-        let [a, b] = materials.map(|m| usize::from(m).min(last));
-        self.0.get(a.min(b))?.get(a.max(b))
+    #[inline(always)]
+    fn pairs(&self) -> PairRules<'_, R> {
+        PairRules { rules: self.0.as_flattened(), count: M }
     }
 }
 
-impl<S: Scalar, R: Rule<S>, const M: usize> Rule<S> for ByMaterial<R, M> {
-    #[inline(always)]
-    fn enduring(&self) -> Option<Enduring> {
-        self.0.iter().flatten().find_map(Rule::enduring)
+/// A rule for each pair of materials, as [`ByMaterial`], in memory that the user lends: for as many materials as are
+/// known when the program runs.
+///
+/// ```
+/// use carom::law::{HardSphere, PairRules};
+/// let [steel, glass, mixed] = [0.95_f64, 0.9, 0.92].map(|restitution| HardSphere { restitution });
+/// let rules = [steel, mixed, mixed, glass];
+/// assert!(PairRules::new(&rules).is_some());
+/// assert!(PairRules::new(&rules[..3]).is_none());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairRules<'r, R> {
+    rules: &'r [R],
+    count: usize,
+}
+
+impl<'r, R> PairRules<'r, R> {
+    /// The rules row by row, a row and a column for each material; nothing if they are not as many as the square of a
+    /// number. Of the two entries of a pair the one in the row of the smaller number is used.
+    #[must_use]
+    pub fn new(rules: &'r [R]) -> Option<Self> {
+        let count = rules.len().isqrt();
+        (count * count == rules.len()).then_some(Self { rules, count })
     }
 
+    #[inline(always)]
+    fn rule(&self, materials: [u8; 2]) -> Option<&'r R> {
+        let last = self.count.saturating_sub(1);
+        let [a, b] = materials.map(|m| usize::from(m).min(last));
+        self.rules.get(a.min(b) * self.count + a.max(b))
+    }
+}
+
+impl<S: Scalar, R: Rule<S>> Rule<S> for PairRules<'_, R> {
+    #[inline(always)]
+    fn enduring(&self) -> Option<Enduring> {
+        self.rules.iter().find_map(Rule::enduring)
+    }
+
+    #[inline(always)]
     fn collide(&self, impact: &Impact<S>) -> Answer<S> {
         match self.rule(impact.materials) {
             Some(rule) => rule.collide(impact),
@@ -70,23 +103,51 @@ impl<S: Scalar, R: Rule<S>, const M: usize> Rule<S> for ByMaterial<R, M> {
     }
 
     fn adds_energy(&self) -> bool {
-        self.0.iter().flatten().any(Rule::adds_energy)
+        self.rules.iter().any(Rule::adds_energy)
     }
 
     fn check(&self) -> Result<(), Error> {
-        if M == 0 {
+        if self.rules.is_empty() {
             return Err(Error::input(Subject::Rule, "materials", 0.0, "at least 1"));
         }
-        self.0.iter().flatten().try_for_each(Rule::check)
+        self.rules.iter().try_for_each(Rule::check)
     }
 
+    #[inline(always)]
     fn force(&self, impact: &Impact<S>, overlap: S) -> Option<ContactForce<S>> {
         self.rule(impact.materials)?.force(impact, overlap)
     }
 
     /// The shortest of all pairs of materials.
     fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
-        let times = self.0.iter().flatten().filter_map(|rule| rule.contact_time(impact, overlap));
+        let times = self.rules.iter().filter_map(|rule| rule.contact_time(impact, overlap));
         times.reduce(S::min)
+    }
+}
+
+impl<S: Scalar, R: Rule<S>, const M: usize> Rule<S> for ByMaterial<R, M> {
+    #[inline(always)]
+    fn enduring(&self) -> Option<Enduring> {
+        self.pairs().enduring()
+    }
+
+    fn collide(&self, impact: &Impact<S>) -> Answer<S> {
+        self.pairs().collide(impact)
+    }
+
+    fn adds_energy(&self) -> bool {
+        self.pairs().adds_energy()
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        self.pairs().check()
+    }
+
+    fn force(&self, impact: &Impact<S>, overlap: S) -> Option<ContactForce<S>> {
+        self.pairs().force(impact, overlap)
+    }
+
+    fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
+        self.pairs().contact_time(impact, overlap)
     }
 }

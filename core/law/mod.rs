@@ -12,7 +12,7 @@ mod soft;
 
 pub use enduring::Enduring;
 pub use hard::{Central, HardSphere};
-pub use material::ByMaterial;
+pub use material::{ByMaterial, PairRules};
 pub use mode::{IntegratedMode, PaperMode};
 pub use rule::{Answer, ContactForce, Impact, Outcome, Response, Rule, Validity};
 pub use scales::{ForceLaw, LinearDashpot, Scales, Viscoelastic};

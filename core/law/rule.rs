@@ -24,7 +24,7 @@ pub struct Impact<S> {
     /// What gravity and a plate's motion add to the speed of approach per unit of time, all through the contact.
     /// Against planes only: gravity moves two grains alike.
     pub acceleration: S,
-    /// The materials of the two; a plane is of the grain's own.
+    /// The materials of the two; a plane is of the grain's own unless it says another.
     pub materials: [u8; 2],
 }
 

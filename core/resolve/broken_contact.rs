@@ -154,7 +154,7 @@ fn with_plane<S: Scalar, const D: usize>(
     let out = dot(&n, &body.velocity_change) - plane.motion(body.contact_end).speed;
     let begin = plane.motion(touch);
     let weight = begin.acceleration - dot(&n, context.domain.gravity());
-    let impact = |speed| plane_collision::impact(body, speed, weight);
+    let impact = |speed| plane_collision::impact(body, plane, speed, weight);
     let (mut gap, mut rate) = (S::zero(), out);
     if let Some((speed, outcome)) = recover(rule, out, impact) {
         let impact = impact(speed);

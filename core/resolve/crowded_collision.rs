@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::law::{Outcome, Response, Rule};
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, dot, max_abs, norm};
-use crate::space::{Plane, Surface};
+use crate::space::Plane;
 
 /// After so many collisions each soon after the last, forces decide.
 const MAX_SOON: u16 = 64;
@@ -253,11 +253,8 @@ fn touch_plane<S: Scalar, const D: usize>(
     let motion = plane.motion(context.now());
     let speed = (motion.speed - dot(&plane.normal, &body.velocity)).max(S::zero());
     let weight = motion.acceleration - dot(&plane.normal, domain.gravity());
-    let impact = plane_collision::impact(&body, speed, weight);
-    let restitution = match plane.surface {
-        Surface::Hard(restitution) => Some(restitution),
-        Surface::Rule => None,
-    };
+    let impact = plane_collision::impact(&body, plane, speed, weight);
+    let restitution = plane.surface.restitution();
     let lasts = restitution.is_none() && rule.force(&impact, S::zero()).is_some();
     let held = !lasts && is_held(context, [&body], (speed, body.radius));
     if held || lasts && is_settled(&body) {

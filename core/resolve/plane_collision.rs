@@ -28,10 +28,10 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     }
     let response = match plane.surface {
         Surface::Hard(restitution) => Response::Instantaneous(restitution),
-        Surface::Rule => {
+        Surface::Rule | Surface::Material(_) => {
             let fall = dot(&plane.normal, context.domain.gravity());
             let weight = plane.motion(context.now()).acceleration - fall;
-            let impact = impact(&body, speed, weight);
+            let impact = impact(&body, plane, speed, weight);
             ask(rule, &impact, context.effects, (i, Partner::plane(p)))?
         }
     };
@@ -73,7 +73,12 @@ fn respond<S: Scalar, const D: usize>(
 ///
 /// Under gravity a contact slower than the fall through 5e-7 R is given the duration of that speed:
 /// below it the weight, not the impact, decides how long a contact lasts.
-pub(super) fn impact<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: S) -> Impact<S> {
+pub(super) fn impact<S: Scalar, const D: usize>(
+    body: &Body<S, D>,
+    plane: &Plane<S, D>,
+    speed: S,
+    g: S,
+) -> Impact<S> {
     let floor = S::from_f64(1e-3) * g.abs().times(body.radius).sqrt();
     Impact {
         contact_distance: body.radius,
@@ -82,6 +87,6 @@ pub(super) fn impact<S: Scalar, const D: usize>(body: &Body<S, D>, speed: S, g: 
         normal_speed: speed.max(floor),
         tangential_speed: S::zero(),
         acceleration: g,
-        materials: [body.material; 2],
+        materials: plane.surface.materials(body.material),
     }
 }

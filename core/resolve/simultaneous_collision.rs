@@ -156,7 +156,9 @@ impl<S: Scalar, const D: usize> Crowd<S, D> {
         let weight = motion.acceleration - dot(&plane.normal, context.domain.gravity());
         let restitution = match plane.surface {
             Surface::Hard(restitution) => Some(restitution),
-            Surface::Rule => instantaneous(rule, &plane_collision::impact(body, speed, weight)),
+            Surface::Rule | Surface::Material(_) => {
+                instantaneous(rule, &plane_collision::impact(body, plane, speed, weight))
+            }
         };
         restitution.is_some_and(|restitution| {
             let wanted = change_of(restitution, speed, least);

@@ -9,10 +9,30 @@ use crate::scalar::{Instant, Scalar, Vector, dot, vector};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Surface<S> {
-    /// The world's rule decides: the law with infinite mass, without rotation.
+    /// The world's rule decides: the law with infinite mass, without rotation, for two of the grain's own material.
     Rule,
     /// An instantaneous reflection with this coefficient of restitution, whatever the rule is.
     Hard(S),
+    /// The world's rule decides, for this material and the grain's.
+    Material(u8),
+}
+
+impl<S: Scalar> Surface<S> {
+    /// The coefficient of restitution, if the surface says one itself.
+    pub(crate) fn restitution(&self) -> Option<S> {
+        match *self {
+            Self::Hard(restitution) => Some(restitution),
+            Self::Rule | Self::Material(_) => None,
+        }
+    }
+
+    /// The materials of a contact with a grain of this one.
+    pub(crate) fn materials(&self, of_grain: u8) -> [u8; 2] {
+        match *self {
+            Self::Material(own) => [own, of_grain],
+            Self::Rule | Self::Hard(_) => [of_grain; 2],
+        }
+    }
 }
 
 /// A plane wall: grains stay where `normal · r ≥ offset` (plus their radius).

@@ -80,8 +80,11 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let who = (place, &self.particles.present(place, &self.domain, self.clock.now));
         let free =
             check_input::overlaps_of(&self.particles, &self.domain, who, self.clock.now, others);
-        let settings =
-            self.parameters.settings.with_grain(&self.rule, &body, self.particles.bodies);
+        let settings = self.parameters.settings.with_grain(
+            &self.rule,
+            &body,
+            (self.particles.bodies, &self.domain.boundary),
+        );
         let fits = settings.sight() == self.parameters.settings.sight();
         if free.is_err() || !fits {
             self.particles.vacate(place, self.clock.now);

@@ -24,6 +24,8 @@ enum Command {
     Run(commands::run::Options),
     /// Draw what a run wrote: curves over the first column of a CSV or Parquet file.
     Plot(commands::plot::Options),
+    /// Check a scenario file, or print which fields there are.
+    Scenario(commands::scenario::Options),
     /// Run a scenario by several methods from the same start and compare what they get.
     Compare(commands::compare::CompareOptions),
     /// Run gases of ten grains until three touch, and show how far event-driven runs are from MD.
@@ -68,6 +70,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<()> {
         Some(Command::Table(options)) => commands::table::table(&options),
         Some(Command::Plot(options)) => commands::plot::run(&options),
         Some(Command::Run(options)) => commands::run::run(&options),
+        Some(Command::Scenario(options)) => commands::scenario::run(&options),
         Some(Command::Demo(options)) => commands::compare::demo(&options),
         None => commands::compare::demo(&commands::compare::DemoOptions::default()),
     }

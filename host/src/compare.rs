@@ -3,7 +3,7 @@
 use crate::method;
 use crate::report::write_aligned;
 use crate::run::{self, Plan, Sample};
-use crate::scenario::{LawSpec, MethodName, Scenario, Start, touching};
+use crate::scenario::{MethodName, Scenario, Start, touching};
 use anyhow::{Result, bail};
 use serde::Serialize;
 use std::io::Write;
@@ -94,10 +94,13 @@ pub struct Track {
 /// # Errors
 /// An error of a method; a law without a force.
 pub fn tracks(scenario: &Scenario) -> Result<(Start, Vec<Track>)> {
-    if matches!(scenario.law, LawSpec::Constant { .. }) {
+    if scenario.laws().any(|law| !law.has_force()) {
         bail!(
             "law.kind is constant: there is no force to compare with; lsd or viscoelastic is needed"
         );
+    }
+    if scenario.only_law().is_none() {
+        bail!("there are several laws, but MD has one for all contacts");
     }
     if let Some(axis) = scenario.hard_walls() {
         bail!("box.{axis}: MD has no hard walls; soft ones are needed for a comparison");

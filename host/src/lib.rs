@@ -20,6 +20,7 @@ pub mod growing;
 pub mod heaps;
 pub mod integrated;
 pub mod interrupt;
+pub mod machine;
 pub mod method;
 pub mod observe;
 pub mod output;

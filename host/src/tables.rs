@@ -5,10 +5,11 @@ use anyhow::{Context, Result};
 use carom::law::embedded;
 use carom_tables::read::{End, Groups, Law, ScaledRestitution, Table};
 use carom_tables::recipe::{GeneratedTable, Recipe};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// The size of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Size {

@@ -113,13 +113,21 @@ fn bad_scenarios_are_named() {
         ("duration = 1.0", "", "duration [s] and collisions"),
         ("sample = 0.5", "sample = nan", "sample is NaN"),
         ("sample = 0.5", "sample = 0.5\ngravity = [1.0]", "gravity has 1 numbers, must have 2"),
-        ("sample = 0.5", "sample = 0.5\ncolour = 1", "line 4: unknown field `colour`"),
+        (
+            "sample = 0.5",
+            "sample = 0.5\ncolour = 1",
+            "line 4: unknown field `colour`; there is box, collisions",
+        ),
         ("stiffness = 1e4", "stiffness = 0.0", "law.stiffness is 0"),
-        ("kind = \"lsd\"", "kind = \"glue\"", "unknown variant `glue`"),
+        (
+            "kind = \"lsd\"",
+            "kind = \"glue\"",
+            "law: unknown variant `glue`; there is lsd, viscoelastic or constant",
+        ),
         ("mass = 1.0", "mass = 0.0", "grain 0: mass is 0"),
         ("mass = 1.0", "", "grain 0: give one of mass"),
         ("at = [0.5, 0.5]", "at = [0.5]", "grain 0: at has 1 numbers, must have 2"),
-        ("radius = 0.1", "radius = \"wide\"", "expected f64"),
+        ("radius = 0.1", "radius = \"wide\"", "grain 0: radius is a text, must be a number"),
         ("[law]", "[box]\nz = { kind = \"periodic\" }\n[law]", "box.z is given"),
         ("[law]", "[box]\nx = { kind = \"periodic\" }\n[law]", "box.x: give from and to"),
         (
@@ -134,6 +142,43 @@ fn bad_scenarios_are_named() {
         assert!(error.contains(wanted), "{to}: {error}");
         assert!(error.contains("scenario.toml"), "{error}");
     }
+}
+
+/// All at once, with line and column; of a good file the number of grains.
+#[test]
+fn a_scenario_is_checked() {
+    let folder = tempfile::tempdir().expect("a temporary directory");
+    let bad = "dimension = 2\nsample = 0.5\nduration = -1.0\n[law]\n  kind = \"constant\"\n  restitution = 2.0\n";
+    let file = written(folder.path(), "bad.toml", bad);
+    let output = carom().args(["scenario", "check", text(&file)]).output().expect("carom runs");
+    assert!(!output.status.success());
+    let found = String::from_utf8(output.stdout).expect("text");
+    let name = text(&file);
+    assert_eq!(
+        found,
+        format!(
+            "{name}:1:1: no grains: add [[grain]] entries, [[species]] or a [gas]\n\
+             {name}:3:1: duration is -1, must be finite and above 0\n\
+             {name}:6:3: law.restitution is 2, must be from 0 to 1\n"
+        )
+    );
+    let why = String::from_utf8(output.stderr).expect("text");
+    assert!(why.contains("bad.toml: 3 things are wrong"), "{why}");
+    for name in ["beads", "column", "fig6", "gas", "layer", "mixture"] {
+        let good = run(&["scenario", "check", text(&scenario(&format!("{name}.toml")))]);
+        assert!(String::from_utf8_lossy(&good.stdout).contains("good, "));
+    }
+}
+
+/// The schema is one that knows every field of a shipped scenario.
+#[test]
+fn the_schema_is_json() {
+    let output = run(&["scenario", "--schema"]);
+    let schema: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    assert_eq!(schema["properties"]["sample"]["type"], "number");
+    assert!(schema["$defs"]["SpeciesSpec"]["properties"]["packing_fraction"].is_object());
+    assert_eq!(schema["$defs"]["SpeciesSpec"]["additionalProperties"], false);
 }
 
 #[test]

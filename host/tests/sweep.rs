@@ -330,7 +330,7 @@ duration = 0.2
     assert_eq!(plan.source.runs, 6);
     for (number, dissipation) in [1e-6, 1e-5, 1e-4, 1e-6, 1e-5, 1e-4].into_iter().enumerate() {
         let run = plan.run(number).unwrap();
-        let carom_host::scenario::LawSpec::Viscoelastic { dissipation: found, .. } =
+        let Some(carom_host::scenario::LawSpec::Viscoelastic { dissipation: found, .. }) =
             run.scenario.law
         else {
             panic!()

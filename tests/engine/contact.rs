@@ -1,6 +1,7 @@
 //! Does one contact do what the papers say? Single events against closed forms.
 
 use carom::law::{ByMaterial, Central, HardSphere, LinearDashpot, Outside, Soft};
+use carom::space::{Plane, Surface};
 use carom::world::{EventKind, EventOutcome};
 use carom::{Enduring, Error, Grain, Memory, World};
 use carom_host::integrated::Integrated;
@@ -205,6 +206,60 @@ fn a_rule_by_material_uses_the_pair_s_own_whatever_the_order() {
             .unwrap();
         world.step().unwrap();
         assert_eq!(world.grain(1).unwrap().velocity[0], 0.75);
+    }
+}
+
+/// A wall has the law of its own material with the grain's; without one, that of two of the grain's. Hard ones in
+/// both modes; a soft one, a spring, keeps the energy and takes half a period of the grain on it.
+#[test]
+fn a_wall_of_a_material_has_the_law_of_the_pair() {
+    let rule = ByMaterial([
+        [HardSphere { restitution: 1.0 }, HardSphere { restitution: 0.5 }],
+        [HardSphere { restitution: 0.0 }, HardSphere { restitution: 0.25 }],
+    ]);
+    for enduring in [Enduring::Paper, Enduring::Integrated] {
+        for (surface, material, after) in [
+            (Surface::Rule, 0, 1.0),
+            (Surface::Rule, 1, 0.25),
+            (Surface::Material(0), 1, 0.5),
+            (Surface::Material(1), 0, 0.5),
+            (Surface::Material(1), 1, 0.25),
+        ] {
+            let mut memory = Memory::<f64, 1, 1>::new();
+            let mut world = World::builder(&mut memory)
+                .enduring(enduring)
+                .plane(Plane::new([1.0], 0.0, surface))
+                .rule(rule)
+                .grain(Grain::with_mass(0.5, 1.0).at([2.0]).moving([-1.0]).of_material(material))
+                .unwrap()
+                .start()
+                .unwrap();
+            world.advance_to(2.0).unwrap();
+            let speed = world.grain(0).unwrap().velocity[0];
+            assert_eq!(speed, after, "{enduring:?} {surface:?} {material}");
+        }
+    }
+}
+
+#[test]
+fn a_soft_wall_of_a_material_lasts_as_long_as_its_spring_says() {
+    let [own, mixed] = [1.0e4, 4.0e4].map(|stiffness| {
+        Soft::linear_dashpot(LinearDashpot { stiffness, damping: 0.0 }, Outside::Reject)
+    });
+    for (surface, stiffness) in [(Surface::Rule, 1.0e4_f64), (Surface::Material(1), 4.0e4)] {
+        let mut memory = Memory::<f64, 1, 1>::new();
+        let mut world = World::builder(&mut memory)
+            .plane(Plane::new([1.0], 0.0, surface))
+            .rule(ByMaterial([[own, mixed], [mixed, own]]))
+            .grain(Grain::with_mass(0.5, 1.0).at([1.5]).moving([-1.0]))
+            .unwrap()
+            .start()
+            .unwrap();
+        let begin = world.step().unwrap().unwrap().at.as_f64();
+        let end = world.step().unwrap().unwrap().at.as_f64();
+        let half = std::f64::consts::PI / stiffness.sqrt();
+        assert!(((end - begin) / half - 1.0).abs() < 1e-5, "{surface:?}: {}", end - begin);
+        assert!((world.grain(0).unwrap().velocity[0] - 1.0).abs() < 1e-5);
     }
 }
 

@@ -9,10 +9,11 @@ mod start;
 
 pub use case::{ALL, Case, Contact, named};
 
+use crate::machine::borrowed;
 use anyhow::{Context, Result};
 use carom::HeapMemory;
+use carom::World;
 use carom::law::{Central, HardSphere, Outside, Rule, Soft, Viscoelastic};
-use carom::{Storage, World};
 use serde::Serialize;
 use start::grains;
 
@@ -84,7 +85,7 @@ fn with_rule<const D: usize>(case: &Case, effort: Effort) -> Result<Row> {
 
 fn run<const D: usize>(case: &Case, rule: impl Rule<f64>, effort: Effort) -> Result<Row> {
     let mut storage = HeapMemory::<f64, D>::with_capacity(case.total());
-    let bytes_per_grain = bytes(&mut storage) as f64 / case.total() as f64;
+    let bytes_per_grain = borrowed(&mut storage) as f64 / case.total() as f64;
     let builder = World::builder(&mut storage).periodic([[0.0, case.edge()]; D]).rule(rule);
     let mut world = builder.grains(grains::<D>(case))?.start()?;
     collide(&mut world, effort.equilibration)?;
@@ -123,18 +124,6 @@ fn timed<const D: usize, R: Rule<f64>>(
     collisions: u64,
 ) -> Result<u64> {
     collide(world, collisions)
-}
-
-/// All that a world of this storage borrows.
-fn bytes<const D: usize>(storage: &mut HeapMemory<f64, D>) -> usize {
-    let buffers = storage.buffers();
-    size_of_val(buffers.bodies)
-        + size_of_val(buffers.events)
-        + size_of_val(buffers.tree)
-        + size_of_val(buffers.links)
-        + size_of_val(buffers.heads)
-        + size_of_val(buffers.accelerations)
-        + size_of_val(buffers.calendar)
 }
 
 /// User CPU time of this process (s): what others do on the machine is left out as far as it can be.

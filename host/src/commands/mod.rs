@@ -8,5 +8,6 @@ pub mod hard;
 mod heaps;
 pub mod plot;
 pub mod run;
+pub mod scenario;
 pub mod sweep;
 pub mod table;

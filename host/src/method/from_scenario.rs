@@ -4,12 +4,15 @@ use super::implementations::{EventDriven, ForceBased, Method};
 use crate::integrated::Integrated;
 use crate::observe::Layout;
 use crate::scenario::{
-    EnduringSpec, LawSpec, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side, Start,
+    EnduringSpec, LawSpec, Laws, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side,
+    Start,
 };
 use crate::tables::embedded;
 use anyhow::{Context, Result, bail};
 use carom::HeapMemory;
-use carom::law::{Central, HardSphere, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
+use carom::law::{
+    Central, HardSphere, LinearDashpot, Outside, PairRules, Rule, Soft, Viscoelastic,
+};
 use carom::particle::Body;
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::{ScheduledEvent, Snapshot, WorldBuilder};
@@ -98,24 +101,44 @@ fn with_world<const D: usize, T>(
     state: Option<&[u8]>,
     work: impl FnOnce(&mut dyn Method) -> Result<T>,
 ) -> Result<T> {
-    let rule = rule(name, scenario)?;
+    let rules = rules(name, scenario, &start.laws)?;
+    let rules: Vec<&dyn Rule<f64>> = rules.iter().map(|rule| &**rule).collect();
+    match &rules[..] {
+        [only] => with_rule::<D, T>(name, scenario, start, state, only, work),
+        _ => {
+            let rule = PairRules::new(&rules).context("a rule for each pair of materials")?;
+            with_rule::<D, T>(name, scenario, start, state, &rule, work)
+        }
+    }
+}
+
+fn with_rule<const D: usize, T>(
+    name: MethodName,
+    scenario: &Scenario,
+    start: &Start,
+    state: Option<&[u8]>,
+    rule: &dyn Rule<f64>,
+    work: impl FnOnce(&mut dyn Method) -> Result<T>,
+) -> Result<T> {
     let layout = scenario.observe.as_ref().map(|_| Layout::new(start));
     let mut storage = HeapMemory::<f64, D>::with_capacity(start.grains.len());
     if let Some(bytes) = state {
         let (saved, tally): (Saved<D>, Option<Vec<f64>>) =
             postcard::from_bytes(bytes).context("the saved state is damaged")?;
-        let world = World::restore(&mut storage, &*rule, &saved)?;
+        let world = World::restore(&mut storage, rule, &saved)?;
         let method = EventDriven::new(world, name, scenario.options.events);
         return work(&mut method.with_tally(layout.as_ref(), tally.as_deref()));
     }
     let builder = World::builder(&mut storage).gravity(first(&start.gravity));
     let builder = builder.enduring(enduring(scenario));
     let builder =
-        enclose(builder.release(release(scenario)).tc(scenario.options.tc), start).rule(&*rule);
-    let grains = start.grains.iter().map(|grain| {
+        enclose(builder.release(release(scenario)).tc(scenario.options.tc), start).rule(rule);
+    let materials = start.materials.iter().copied().chain(std::iter::repeat(0));
+    let grains = start.grains.iter().zip(materials).map(|(grain, material)| {
         Grain::with_mass(grain.radius, grain.mass)
             .at(first(&grain.position))
             .moving(first(&grain.velocity))
+            .of_material(material)
     });
     let world = builder.grains(grains).and_then(WorldBuilder::start)?;
     let method = EventDriven::new(world, name, scenario.options.events);
@@ -205,37 +228,47 @@ fn first<const D: usize>(numbers: &[f64; 3]) -> [f64; D] {
     std::array::from_fn(|k| numbers[k])
 }
 
-/// The collision rule of an event-driven method.
+/// The rules of an event-driven method for all pairs of materials, row by row; pairs that never meet have
+/// that of another.
 ///
 /// # Errors
-/// When the law has no such rule, or there is no such table.
-pub fn rule(name: MethodName, scenario: &Scenario) -> Result<Box<dyn Rule<f64>>> {
-    match scenario.law {
-        LawSpec::Constant { restitution } if name == MethodName::Emd => {
-            Ok(Box::new(HardSphere { restitution }))
-        }
-        LawSpec::Constant { .. } => {
-            bail!("{} needs a force law, but law.kind is constant", name.label())
-        }
+/// When no two materials have a law, or one has no such rule.
+pub fn rules(
+    name: MethodName,
+    scenario: &Scenario,
+    laws: &Laws,
+) -> Result<Vec<Box<dyn Rule<f64>>>> {
+    let all = || laws.pairs().flatten();
+    let some = all().next().context("there is no law")?;
+    if name == MethodName::EmdStar && !all().any(|law| law.has_force()) {
+        bail!("{} needs a force law, but law.kind is constant", name.label());
+    }
+    Ok(laws.pairs().map(|law| rule(name, scenario, law.unwrap_or(some))).collect())
+}
+
+/// The collision rule of an event-driven method.
+fn rule(name: MethodName, scenario: &Scenario, law: LawSpec) -> Box<dyn Rule<f64>> {
+    match law {
+        LawSpec::Constant { restitution } => Box::new(HardSphere { restitution }),
         LawSpec::Lsd { stiffness, damping } => {
             let law = LinearDashpot { stiffness, damping };
-            Ok(match scenario.options.matrix {
+            match scenario.options.matrix {
                 MatrixSpec::Integrate => by_method(name, Integrated::new(law)),
                 MatrixSpec::Table => {
                     let table = embedded(scenario.options.table, Law::LinearDashpot);
                     by_method(name, Soft::with_table(law, table, outside(scenario)))
                 }
-            })
+            }
         }
         LawSpec::Viscoelastic { young, poisson, dissipation } => {
             let law = Viscoelastic { young, poisson, dissipation };
-            Ok(match scenario.options.matrix {
+            match scenario.options.matrix {
                 MatrixSpec::Integrate => by_method(name, Integrated::new(law)),
                 MatrixSpec::Table => {
                     let table = embedded(scenario.options.table, Law::Viscoelastic);
                     by_method(name, Soft::with_table(law, table, outside(scenario)))
                 }
-            })
+            }
         }
     }
 }
@@ -261,7 +294,7 @@ fn outside(scenario: &Scenario) -> Outside {
 /// # Errors
 /// When the law has no force.
 pub fn force_law(scenario: &Scenario) -> Result<carom_reference::ForceLaw> {
-    match scenario.law {
+    match scenario.only_law().context("MD needs one law for all contacts")? {
         LawSpec::Lsd { stiffness, damping } => {
             Ok(carom_reference::ForceLaw::LinearDashpot { stiffness, damping })
         }

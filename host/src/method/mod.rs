@@ -3,5 +3,5 @@
 mod from_scenario;
 mod implementations;
 
-pub use from_scenario::{force_law, rule, with, with_state};
+pub use from_scenario::{force_law, rules, with, with_state};
 pub use implementations::{EventDriven, ForceBased, LoggedEvent, Method};

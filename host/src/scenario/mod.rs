@@ -1,15 +1,48 @@
 //! What is to be simulated? Reads a TOML file; writes nothing, returns a checked scenario.
 
+mod arrange;
+mod check;
+mod check_species;
+mod compress;
+mod document;
+mod fields;
+mod fill;
+mod frames;
+mod gas;
+mod grains;
+mod lattice;
+mod law;
+mod laws;
+mod memory;
+mod near;
 mod observe;
-mod place;
+mod options;
+mod populate;
+mod problem;
+mod radii;
 mod read;
+mod region;
+mod schema;
+mod shape;
+mod side;
+mod sides;
 mod spec;
+mod stack;
 mod start;
+mod thermal;
+mod touching;
 
+pub use fields::fields;
+pub use grains::{Gas, GrainSpec, LatticeName, PlaceSpec, RadiusSpec, SpeciesSpec};
+pub use law::{LawSpec, MaterialSpec, PairLawSpec};
+pub use laws::Laws;
 pub use observe::{Axis, CorrelationSpec, ObserveSpec, PairSpec, ProfileSpec};
-pub use place::{Placed, Side};
-pub use spec::{
-    EnduringSpec, Gas, GrainSpec, LawSpec, MatrixSpec, MethodName, Options, OutsideSpec,
-    RadiusSpec, ReleaseSpec, Scenario, SideSpec, Sides, SurfaceSpec,
-};
-pub use start::{Start, touching};
+pub use options::{EnduringSpec, MatrixSpec, Options, OutsideSpec, ReleaseSpec};
+pub use problem::Problem;
+pub use read::{Found, examine, examine_file};
+pub use schema::schema;
+pub use side::{Placed, Side};
+pub use sides::{SideSpec, Sides, SurfaceSpec};
+pub use spec::{MethodName, Scenario};
+pub use start::Start;
+pub use touching::touching;

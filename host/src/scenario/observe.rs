@@ -1,6 +1,7 @@
 //! What can a scenario ask to be measured? Reads nothing; writes nothing, names the fields and their values.
 
 use anyhow::{Result, bail};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// What is measured while a method runs: the table `[observe]` of a scenario.
@@ -9,7 +10,7 @@ use serde::Deserialize;
 ///
 /// # Units
 /// SI throughout.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ObserveSpec {
     /// When measuring begins (s); at once if left out.
@@ -26,7 +27,7 @@ pub struct ObserveSpec {
 }
 
 /// Density, velocity and temperature along an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ProfileSpec {
     /// Along which axis.
@@ -41,7 +42,7 @@ pub struct ProfileSpec {
 }
 
 /// An axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Axis {
     /// The first.
@@ -53,7 +54,7 @@ pub enum Axis {
 }
 
 /// The pair distribution function g(r).
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PairSpec {
     /// The largest distance of two centres (m); three of the largest diameters if left out.
@@ -67,7 +68,7 @@ pub struct PairSpec {
 }
 
 /// Mean square displacement and velocity autocorrelation.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CorrelationSpec {
     /// The longest time apart (s).

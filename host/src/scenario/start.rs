@@ -1,13 +1,18 @@
-//! Where does everything stand, and who overlaps whom? Reads a scenario; writes nothing, returns grains and box at time 0.
+//! Where does everything stand? Reads a scenario; writes nothing, returns grains and box at time 0.
 
-use super::place::{self, Placed, Side, sphere_mass};
-use super::spec::{Scenario, SideSpec, SurfaceSpec};
-use anyhow::{Result, bail};
+use super::gas;
+use super::grains::GrainSpec;
+use super::laws::Laws;
+use super::populate::{self, Population};
+use super::problem::Problem;
+use super::side::{Placed, Side, filled, sphere_mass};
+use super::sides::{SideSpec, SurfaceSpec};
+use super::spec::Scenario;
+use anyhow::Result;
 use carom_reference::Plate;
-use std::f64::consts::PI;
 
 /// Grains, box and gravity: the same for every method.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Start {
     /// 1, 2 or 3.
     pub dimension: usize,
@@ -17,6 +22,14 @@ pub struct Start {
     pub sides: [Side; 3],
     /// Uniform gravity.
     pub gravity: [f64; 3],
+    /// What each grain is made of: a number of [`Laws::names`].
+    pub materials: Vec<u8>,
+    /// Of which species each grain is: a number of `species_names`.
+    pub species: Vec<u16>,
+    /// What species are called; grains that are listed one by one are the first, and a gas the next.
+    pub species_names: Vec<String>,
+    /// What two materials do when they touch.
+    pub laws: Laws,
 }
 
 impl Start {
@@ -25,24 +38,7 @@ impl Start {
     /// # Errors
     /// When the box has no size, or grains find no place.
     pub fn new(scenario: &Scenario) -> Result<Self> {
-        let dimension = scenario.dimension;
-        let sides = sides(scenario)?;
-        let mut grains: Vec<Placed> = scenario
-            .grains
-            .iter()
-            .map(|grain| Placed {
-                radius: grain.radius,
-                mass: grain.mass.unwrap_or_else(|| {
-                    sphere_mass(grain.radius, grain.density.unwrap_or_default())
-                }),
-                position: padded(&grain.at),
-                velocity: padded(&grain.moving),
-            })
-            .collect();
-        if let Some(gas) = &scenario.gas {
-            place::scatter(gas, dimension, &sides, &mut grains)?;
-        }
-        Ok(Self { dimension, grains, sides, gravity: padded(&scenario.gravity) })
+        Ok(Self::of(scenario)?)
     }
 
     /// Separation of two points, nearest image.
@@ -54,27 +50,119 @@ impl Start {
     pub fn mean_radius(&self) -> f64 {
         self.grains.iter().map(|grain| grain.radius).sum::<f64>() / self.grains.len() as f64
     }
+
+    fn of(scenario: &Scenario) -> Result<Self, Problem> {
+        let laws = Laws::new(scenario);
+        let densities: Vec<f64> = scenario
+            .species
+            .iter()
+            .map(|species| density(scenario, &laws, species.density, species.material.as_deref()))
+            .collect();
+        let mut populations = populate::populations(scenario, &densities)?;
+        let sides = sides(scenario, &populations)?;
+        let mut start = Self { dimension: scenario.dimension, sides, laws, ..Self::default() };
+        start.gravity = padded(&scenario.gravity);
+        start.list(scenario);
+        start.scatter(scenario)?;
+        start.populate(scenario, &mut populations)?;
+        Ok(start)
+    }
+
+    /// Notes what the grains are that were added last.
+    fn label(&mut self, name: &str, material: Option<&str>) {
+        let count = self.grains.len() - self.species.len();
+        let number = self.laws.number(material).unwrap_or(0);
+        self.species.extend(std::iter::repeat_n(self.species_names.len() as u16, count));
+        self.materials.extend(std::iter::repeat_n(number as u8, count));
+        if self.species_names.last().is_none_or(|last| last != name) {
+            self.species_names.push(name.to_owned());
+        }
+    }
+
+    fn list(&mut self, scenario: &Scenario) {
+        for grain in &scenario.grains {
+            self.grains.push(placed(scenario, &self.laws, grain));
+            self.species.push(0);
+            self.materials.push(self.laws.number(grain.material.as_deref()).unwrap_or(0) as u8);
+        }
+        if !scenario.grains.is_empty() {
+            self.species_names.push("grain".to_owned());
+        }
+    }
+
+    fn scatter(&mut self, scenario: &Scenario) -> Result<(), Problem> {
+        let Some(gas) = &scenario.gas else { return Ok(()) };
+        let density = density(scenario, &self.laws, gas.density, gas.material.as_deref());
+        gas::scatter(gas, density, &self.sides, self.dimension, &mut self.grains)?;
+        self.label("gas", gas.material.as_deref());
+        Ok(())
+    }
+
+    fn populate(
+        &mut self,
+        scenario: &Scenario,
+        populations: &mut [Population<'_>],
+    ) -> Result<(), Problem> {
+        let first = self.species_names.len();
+        let of = populate::place(scenario, &self.sides, populations, &mut self.grains)?;
+        let number =
+            |k: usize| self.laws.number(scenario.species[k].material.as_deref()).unwrap_or(0) as u8;
+        self.materials.extend(of.iter().map(|k| number(*k)));
+        self.species.extend(of.iter().map(|k| (first + k) as u16));
+        let name = |(k, species): (usize, &super::grains::SpeciesSpec)| {
+            species.name.clone().unwrap_or_else(|| format!("species {k}"))
+        };
+        self.species_names.extend(scenario.species.iter().enumerate().map(name));
+        Ok(())
+    }
+}
+
+/// The density of what is made of this material, if it does not say its own.
+fn density(scenario: &Scenario, laws: &Laws, own: Option<f64>, material: Option<&str>) -> f64 {
+    let number = laws.number(material).ok();
+    let of_material = || scenario.materials.get(number?)?.density;
+    own.or_else(of_material).unwrap_or_default()
+}
+
+fn placed(scenario: &Scenario, laws: &Laws, grain: &GrainSpec) -> Placed {
+    let density = density(scenario, laws, grain.density, grain.material.as_deref());
+    Placed {
+        radius: grain.radius,
+        mass: grain.mass.unwrap_or_else(|| sphere_mass(grain.radius, density)),
+        position: padded(&grain.at),
+        velocity: padded(&grain.moving),
+    }
 }
 
 fn padded(numbers: &[f64]) -> [f64; 3] {
     std::array::from_fn(|k| numbers.get(k).copied().unwrap_or(0.0))
 }
 
-fn sides(scenario: &Scenario) -> Result<[Side; 3]> {
+/// The box, its size set by a packing fraction where sides say none.
+fn sides(scenario: &Scenario, populations: &[Population<'_>]) -> Result<[Side; 3], Problem> {
     let specs = [scenario.sides.x, scenario.sides.y, scenario.sides.z];
-    let edge = edge(scenario);
+    let edge = edge(scenario, populations)?;
     let mut sides = [Side::Open; 3];
     for (axis, (side, spec)) in sides.iter_mut().zip(specs).enumerate() {
-        let name = ["x", "y", "z"][axis];
+        let range = |from: Option<f64>, to: Option<f64>| match (from, to, edge) {
+            (Some(from), Some(to), _) => Ok([from, to]),
+            (_, _, Some(edge)) => Ok([0.0, edge]),
+            _ => {
+                let name = ["x", "y", "z"][axis];
+                let message = format!(
+                    "box.{name}: give from and to [m], or gas.packing_fraction or box.packing_fraction"
+                );
+                Err(Problem { path: format!("box.{name}"), offset: None, message })
+            }
+        };
         *side = match spec {
             SideSpec::Open => Side::Open,
-            SideSpec::Periodic { from, to } => Side::Periodic(range(name, from, to, edge)?),
-            SideSpec::Walls { from, to, surface, restitution } => {
-                let range = range(name, from, to, edge)?;
-                match surface {
-                    SurfaceSpec::Soft => Side::Soft(range),
-                    SurfaceSpec::Hard => Side::Hard(range, restitution.unwrap_or(1.0)),
-                }
+            SideSpec::Periodic { from, to } => Side::Periodic(range(from, to)?),
+            SideSpec::Walls { from, to, surface: SurfaceSpec::Soft, .. } => {
+                Side::Soft(range(from, to)?)
+            }
+            SideSpec::Walls { from, to, surface: SurfaceSpec::Hard, restitution } => {
+                Side::Hard(range(from, to)?, restitution.unwrap_or(1.0))
             }
             SideSpec::Plate { at, amplitude, frequency, phase, restitution, .. } => {
                 Side::Plate(Plate { at, amplitude, frequency, phase }, restitution)
@@ -84,77 +172,53 @@ fn sides(scenario: &Scenario) -> Result<[Side; 3]> {
     Ok(sides)
 }
 
-/// The edge of the cube that a gas fills to its packing fraction.
-fn edge(scenario: &Scenario) -> Option<f64> {
-    let gas = scenario.gas.as_ref()?;
-    let phi = gas.packing_fraction?;
-    let filled: f64 = place::radii(gas)
-        .into_iter()
-        .map(|radius| match scenario.dimension {
-            1 => 2.0 * radius,
-            2 => PI * radius * radius,
-            _ => sphere_mass(radius, 1.0),
-        })
-        .sum();
-    Some((filled / phi).powf(1.0 / scenario.dimension as f64))
-}
-
-fn range(name: &str, from: Option<f64>, to: Option<f64>, edge: Option<f64>) -> Result<[f64; 2]> {
-    match (from, to, edge) {
-        (Some(from), Some(to), None) if from < to && (to - from).is_finite() => Ok([from, to]),
-        (Some(from), Some(to), None) => {
-            bail!("box.{name}: from is {from} and to is {to}, from must be the smaller")
+/// How long the sides are that say no size, so that the packing fraction is what the scenario says.
+fn edge(scenario: &Scenario, populations: &[Population<'_>]) -> Result<Option<f64>, Problem> {
+    let of_gas = scenario.gas.as_ref().and_then(|gas| gas.packing_fraction);
+    let (path, packing) = match (scenario.sides.packing_fraction, of_gas) {
+        (Some(packing), None) => ("box.packing_fraction", packing),
+        (None, Some(packing)) => ("gas.packing_fraction", packing),
+        (None, None) => return Ok(None),
+        (Some(_), Some(_)) => {
+            let message =
+                "box.packing_fraction is given, and so is gas.packing_fraction: give one of them";
+            return Err(Problem {
+                path: "box.packing_fraction".to_owned(),
+                offset: None,
+                message: message.to_owned(),
+            });
         }
-        (None, None, Some(edge)) => Ok([0.0, edge]),
-        (None, None, None) => {
-            bail!("box.{name}: give from and to [m], or gas.packing_fraction")
-        }
-        (_, _, Some(_)) => bail!(
-            "box.{name}: gas.packing_fraction sets the size of the box; leave out from and to, or it"
-        ),
-        _ => bail!("box.{name}: give both from and to [m]"),
-    }
-}
-
-/// Whether each grain overlaps something.
-///
-/// Sweeps along the first axis, so that large systems take O(N log N) as long as they are dilute.
-pub fn touching(start: &Start, grains: &[Placed]) -> Vec<bool> {
-    let mut flags: Vec<bool> = grains.iter().map(|grain| on_wall(start, grain)).collect();
-    let widest = 2.0 * grains.iter().map(|grain| grain.radius).fold(0.0, f64::max);
-    let mut order: Vec<(f64, usize)> =
-        grains.iter().enumerate().map(|(i, grain)| (grain.position[0], i)).collect();
-    order.sort_by(|a, b| a.0.total_cmp(&b.0));
-    // A second round, one period further on, for pairs across the periodic face.
-    let again: Vec<(f64, usize)> = match start.sides[0] {
-        Side::Periodic([from, to]) => {
-            let near = order.iter().take_while(|(x, _)| *x < from + widest);
-            near.map(|(x, i)| (x + to - from, *i)).collect()
-        }
-        _ => Vec::new(),
     };
-    for (place, (x, i)) in order.iter().enumerate() {
-        let rest = order[place + 1..].iter().chain(&again);
-        for (_, j) in rest.take_while(|(other, _)| other - x < widest) {
-            if i != j && overlap(start, &grains[*i], &grains[*j]) {
-                flags[*i] = true;
-                flags[*j] = true;
+    let d = scenario.dimension;
+    let specs = [scenario.sides.x, scenario.sides.y, scenario.sides.z];
+    let (mut sized, mut unsized_axes, mut has_plate) = (1.0, 0, false);
+    for spec in &specs[..d] {
+        match spec {
+            SideSpec::Periodic { from, to } | SideSpec::Walls { from, to, .. } => {
+                match (from, to) {
+                    (Some(from), Some(to)) => sized *= to - from,
+                    _ => unsized_axes += 1,
+                }
             }
+            SideSpec::Plate { .. } => has_plate = true,
+            SideSpec::Open => {}
         }
     }
-    flags
-}
-
-fn overlap(start: &Start, a: &Placed, b: &Placed) -> bool {
-    let square: f64 = start.nearest(&a.position, &b.position).iter().map(|x| x * x).sum();
-    square < (a.radius + b.radius).powi(2)
-}
-
-fn on_wall(start: &Start, grain: &Placed) -> bool {
-    start.sides.iter().zip(grain.position).any(|(side, x)| match *side {
-        Side::Soft([from, to]) => x - from < grain.radius || to - x < grain.radius,
-        // Wherever a plate is now, it is not above its highest place.
-        Side::Plate(plate, None) => x - plate.at - plate.amplitude < grain.radius,
-        _ => false,
-    })
+    if unsized_axes == 0 && has_plate {
+        return Ok(None);
+    }
+    if unsized_axes == 0 {
+        let message =
+            format!("{path} sets the size of the box: leave out from and to of a side, or it");
+        return Err(Problem { path: path.to_owned(), offset: None, message });
+    }
+    let radii = |population: &Population<'_>| population.radii.clone();
+    let mut all: Vec<f64> = populations.iter().flat_map(radii).collect();
+    all.extend(scenario.gas.iter().flat_map(gas::radii));
+    if path == "box.packing_fraction" {
+        all.extend(scenario.grains.iter().map(|grain| grain.radius));
+    }
+    let volume: f64 = all.into_iter().map(|radius| filled(radius, d)).sum();
+    let axes = unsized_axes + i32::from(has_plate);
+    Ok(Some((volume / (packing * sized)).powf(1.0 / f64::from(axes))))
 }

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use carom_host::method::{self, Method};
-use carom_host::scenario::{LawSpec, MethodName, Scenario, Start};
+use carom_host::scenario::{MethodName, Scenario, Start};
 
 /// Grains that one input may have; more say nothing new.
 const MAX_GRAINS: usize = 60;
@@ -23,13 +23,14 @@ pub fn run(bytes: &[u8]) -> Result<()> {
 fn started(scenario: &Scenario) -> Result<()> {
     if scenario.gas.as_ref().is_some_and(|gas| gas.count > MAX_GRAINS)
         || scenario.grains.len() > MAX_GRAINS
+        || scenario.species.iter().any(|species| species.count.is_none_or(|n| n > MAX_GRAINS))
     {
         return Ok(());
     }
     let start = one_line(Start::new(scenario))?;
-    let methods = match scenario.law {
-        LawSpec::Constant { .. } => &[MethodName::Emd][..],
-        _ => &[MethodName::Emd, MethodName::EmdStar],
+    let methods = match scenario.laws().any(|law| law.has_force()) {
+        false => &[MethodName::Emd][..],
+        true => &[MethodName::Emd, MethodName::EmdStar],
     };
     methods.iter().try_for_each(|name| {
         one_line(method::with(*name, scenario, &start, |method| advance(method, scenario)))

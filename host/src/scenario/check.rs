@@ -1,0 +1,353 @@
+//! Can this scenario be run? Reads a scenario whose fields are all there; writes a list of what is wrong.
+
+use super::grains::{Gas, GrainSpec, RadiusSpec};
+use super::law::LawSpec;
+use super::laws::Laws;
+use super::problem::Problems;
+use super::sides::{SideSpec, SurfaceSpec};
+use super::spec::{MethodName, Scenario};
+use super::{check_species, memory};
+
+/// Everything that is wrong with it.
+pub fn check(scenario: &Scenario) -> Problems {
+    let mut problems = Problems::default();
+    let d = scenario.dimension;
+    if !(1..=3).contains(&d) {
+        problems.add("dimension", format!("is {d}, must be 1, 2 or 3"));
+        return problems;
+    }
+    if !scenario.gravity.is_empty() {
+        problems.vector("gravity", &scenario.gravity, d);
+    }
+    end(scenario, &mut problems);
+    sample(scenario, &mut problems);
+    if let Some(Err(error)) =
+        scenario.observe.as_ref().map(|o| o.check(scenario.sample, scenario.duration))
+    {
+        let message = error.to_string();
+        let path = message.split([' ', ':']).next().unwrap_or_default().to_owned();
+        problems.say(path, message);
+    }
+    if let Some(time) = scenario.options.exact_until {
+        problems.positive("options.exact_until", time);
+    }
+    problems.not_negative("options.tc", scenario.options.tc);
+    let laws = materials(scenario, &mut problems);
+    sides(scenario, &mut problems);
+    methods(scenario, &mut problems);
+    if scenario.grains.is_empty() && scenario.gas.is_none() && scenario.species.is_empty() {
+        problems.say("", "no grains: add [[grain]] entries, [[species]] or a [gas]");
+    }
+    for (number, one) in scenario.grains.iter().enumerate() {
+        grain(scenario, &laws, number, one, &mut problems);
+    }
+    if let Some(one) = &scenario.gas {
+        gas(scenario, &laws, one, &mut problems);
+    }
+    check_species::check(scenario, &laws, &mut problems);
+    // Who is called by a wrong name seems to have no law, either.
+    let is_about_names = |path: &str| path.ends_with(".between") || path.ends_with(".name");
+    if !problems.0.iter().any(|problem| is_about_names(&problem.path)) {
+        touches(scenario, &laws, &mut problems);
+    }
+    problems
+}
+
+fn end(scenario: &Scenario, problems: &mut Problems) {
+    match (scenario.duration, scenario.collisions) {
+        (Some(duration), None) => _ = problems.positive("duration", duration),
+        (None, Some(0)) => problems.add("collisions", "is 0, must be at least 1"),
+        (None, Some(_)) => {}
+        (Some(_), Some(_)) => {
+            problems.say("collisions", "give one of duration [s] and collisions");
+        }
+        (None, None) => problems.say("", "give one of duration [s] and collisions"),
+    }
+}
+
+/// More samples than this are a slip of the pen.
+const MAX_SAMPLES: f64 = 1e7;
+
+fn sample(scenario: &Scenario, problems: &mut Problems) {
+    let (sample, duration) = (scenario.sample, scenario.duration.unwrap_or(0.0));
+    if problems.positive("sample", sample) && duration / sample > MAX_SAMPLES {
+        let least = duration / MAX_SAMPLES;
+        let rest =
+            format!("is {sample:?}, must be at least {least:?}: duration in {MAX_SAMPLES} parts");
+        problems.add("sample", rest);
+    }
+}
+
+fn law(path: &str, law: &LawSpec, problems: &mut Problems) {
+    let below = |field: &str| format!("{path}.{field}");
+    match *law {
+        LawSpec::Lsd { stiffness, damping } => {
+            problems.positive(&below("stiffness"), stiffness);
+            problems.not_negative(&below("damping"), damping);
+        }
+        LawSpec::Viscoelastic { young, poisson, dissipation } => {
+            problems.positive(&below("young"), young);
+            let is_right = poisson > -1.0 && poisson <= 0.5;
+            problems.must(&below("poisson"), poisson, is_right, "above -1 and at most 0.5");
+            problems.not_negative(&below("dissipation"), dissipation);
+        }
+        LawSpec::Constant { restitution } => {
+            problems.fraction(&below("restitution"), restitution);
+        }
+    }
+}
+
+/// A law or its short form.
+fn one_law(path: &str, given: (Option<&LawSpec>, Option<f64>), problems: &mut Problems) {
+    match given {
+        (Some(_), Some(_)) => {
+            problems
+                .add(format!("{path}.restitution"), "is given, and so is law: give one of them");
+        }
+        (Some(one), None) => law(&format!("{path}.law"), one, problems),
+        (None, Some(e)) => _ = problems.fraction(&format!("{path}.restitution"), e),
+        (None, None) => {}
+    }
+}
+
+/// The number of different materials that the engine can tell apart.
+const MAX_MATERIALS: usize = 256;
+
+fn materials(scenario: &Scenario, problems: &mut Problems) -> Laws {
+    if let Some(one) = &scenario.law {
+        law("law", one, problems);
+    }
+    let count = scenario.materials.len();
+    if count > MAX_MATERIALS {
+        problems.say("material", format!("there are {count} materials, {MAX_MATERIALS} at most"));
+    }
+    for (k, material) in scenario.materials.iter().enumerate() {
+        let path = format!("material.{k}");
+        if let Some(density) = material.density {
+            problems.positive(&format!("{path}.density"), density);
+        }
+        if scenario.materials[..k].iter().any(|other| other.name == material.name) {
+            let rest = format!("is {:?}, which another material is called too", material.name);
+            problems.add(format!("{path}.name"), rest);
+        }
+        one_law(&path, (material.law.as_ref(), material.restitution), problems);
+    }
+    let laws = Laws::new(scenario);
+    for (k, pair) in scenario.pairs.iter().enumerate() {
+        let path = format!("pair.{k}");
+        for name in &pair.between {
+            if let Err(rest) = laws.number(Some(name)) {
+                problems.add(format!("{path}.between"), rest);
+            }
+        }
+        one_law(&path, (pair.law.as_ref(), pair.restitution), problems);
+        if pair.law.is_none() && pair.restitution.is_none() {
+            problems.say(&path, format!("pair {k}: give one of law and restitution"));
+        }
+    }
+    laws
+}
+
+/// The number of a material that is named somewhere, if there is one.
+pub fn material(
+    laws: &Laws,
+    path: &str,
+    name: Option<&String>,
+    problems: &mut Problems,
+) -> Option<usize> {
+    let found = laws.number(name.map(String::as_str));
+    found.map_err(|rest| problems.add(format!("{path}.material"), rest)).ok()
+}
+
+/// Whether there is a density, and a right one.
+pub fn density(
+    scenario: &Scenario,
+    path: &str,
+    own: Option<f64>,
+    material: Option<usize>,
+    problems: &mut Problems,
+) {
+    let of_material = material.and_then(|number| scenario.materials.get(number)?.density);
+    match (own, of_material, material) {
+        (Some(density), ..) => _ = problems.positive(&format!("{path}.density"), density),
+        (None, None, Some(_)) => {
+            problems.add(format!("{path}.density"), "is missing, and its material has none");
+        }
+        _ => {}
+    }
+}
+
+fn sides(scenario: &Scenario, problems: &mut Problems) {
+    let (sides, dimension) = (&scenario.sides, scenario.dimension);
+    if let Some(packing) = sides.packing_fraction {
+        problems.packing("box.packing_fraction", packing);
+    }
+    for (axis, (name, side)) in
+        [("x", sides.x), ("y", sides.y), ("z", sides.z)].into_iter().enumerate()
+    {
+        let path = format!("box.{name}");
+        if axis >= dimension && side != SideSpec::Open {
+            problems.add(&path, format!("is given, but dimension is {dimension}"));
+            continue;
+        }
+        match side {
+            SideSpec::Open => {}
+            SideSpec::Periodic { from, to } => range(&path, from, to, problems),
+            SideSpec::Walls { from, to, surface, restitution } => {
+                range(&path, from, to, problems);
+                made_of(&path, surface, restitution, problems);
+            }
+            SideSpec::Plate { at, amplitude, frequency, phase, surface, restitution } => {
+                made_of(&path, surface, restitution, problems);
+                problems.finite(&format!("{path}.at"), &[at]);
+                problems.finite(&format!("{path}.phase"), &[phase]);
+                problems.not_negative(&format!("{path}.amplitude"), amplitude);
+                if amplitude > 0.0 {
+                    problems.positive(&format!("{path}.frequency"), frequency);
+                }
+            }
+        }
+    }
+}
+
+fn range(path: &str, from: Option<f64>, to: Option<f64>, problems: &mut Problems) {
+    match (from, to) {
+        (Some(from), Some(to)) if !(from < to && (to - from).is_finite()) => {
+            let message =
+                format!("{path}: from is {from} and to is {to}, from must be the smaller");
+            problems.say(path, message);
+        }
+        (Some(_), None) | (None, Some(_)) => {
+            problems.say(path, format!("{path}: give both from and to [m]"));
+        }
+        _ => {}
+    }
+}
+
+fn made_of(path: &str, surface: SurfaceSpec, restitution: Option<f64>, problems: &mut Problems) {
+    let path = format!("{path}.restitution");
+    match (surface, restitution) {
+        (SurfaceSpec::Hard, Some(e)) => _ = problems.fraction(&path, e),
+        (SurfaceSpec::Hard, None) => problems.say(&path, format!("{path}: hard walls need one")),
+        (SurfaceSpec::Soft, Some(_)) => {
+            problems.say(&path, format!("{path}: soft walls follow the law and have none"));
+        }
+        (SurfaceSpec::Soft, None) => {}
+    }
+}
+
+/// Force-based MD needs forces, from walls too, and one law.
+fn methods(scenario: &Scenario, problems: &mut Problems) {
+    let mut say = |method: MethodName, why: &str| {
+        let label = method.label();
+        problems.say("methods", format!("methods: {label} needs {why}; leave {label} out"));
+    };
+    let has_force = scenario.laws().any(|law| law.has_force());
+    let has_constant = scenario.laws().any(|law| !law.has_force());
+    for &method in &scenario.methods {
+        let is_force_based = matches!(method, MethodName::Md | MethodName::Exact);
+        if method == MethodName::EmdStar && !has_force || is_force_based && has_constant {
+            say(method, "a force law, but law.kind is constant");
+        }
+        if is_force_based && scenario.hard_walls().is_some() {
+            say(method, "soft walls, but the box has hard ones");
+        }
+        if is_force_based && !has_constant && scenario.only_law().is_none() {
+            say(method, "one law for all, but there are several");
+        }
+    }
+}
+
+fn grain(
+    scenario: &Scenario,
+    laws: &Laws,
+    number: usize,
+    grain: &GrainSpec,
+    problems: &mut Problems,
+) {
+    let path = format!("grain.{number}");
+    let below = |field: &str| format!("{path}.{field}");
+    problems.positive(&below("radius"), grain.radius);
+    let material = material(laws, &path, grain.material.as_ref(), problems);
+    let of_material = material.and_then(|number| scenario.materials.get(number)?.density);
+    match (grain.mass, grain.density.or(of_material)) {
+        (Some(mass), _) if grain.density.is_none() => _ = problems.positive(&below("mass"), mass),
+        (None, Some(density)) => _ = problems.positive(&below("density"), density),
+        _ => problems
+            .say(&path, format!("grain {number}: give one of mass [kg] and density [kg/m3]")),
+    }
+    problems.vector(&below("at"), &grain.at, scenario.dimension);
+    if !grain.moving.is_empty() {
+        problems.vector(&below("moving"), &grain.moving, scenario.dimension);
+    }
+}
+
+fn gas(scenario: &Scenario, laws: &Laws, gas: &Gas, problems: &mut Problems) {
+    if gas.count == 0 {
+        problems.add("gas.count", "is 0, must be at least 1");
+    }
+    if let Some(why) = memory::refusal(gas.count, scenario.dimension) {
+        problems.add("gas.count", why);
+    }
+    radius("gas.radius", &gas.radius, problems);
+    let number = material(laws, "gas", gas.material.as_ref(), problems);
+    density(scenario, "gas", gas.density, number, problems);
+    problems.not_negative("gas.thermal_speed", gas.thermal_speed);
+    if let Some(packing) = gas.packing_fraction {
+        problems.packing("gas.packing_fraction", packing);
+    }
+}
+
+/// Whether all radii that can come of it are right.
+pub fn radius(path: &str, radius: &RadiusSpec, problems: &mut Problems) {
+    match radius {
+        RadiusSpec::One(radius) => _ = problems.positive(path, *radius),
+        RadiusSpec::Range([small, large]) | RadiusSpec::Uniform { uniform: [small, large] } => {
+            if problems.positive(path, *small) && !(large.is_finite() && large >= small) {
+                let rest =
+                    format!("is [{small}, {large}], must be the smallest and then the largest");
+                problems.add(path, rest);
+            }
+        }
+        RadiusSpec::Gaussian { mean, deviation } => {
+            let third = format!("at least 0 and less than a third of mean, {mean}");
+            let is_right = *deviation >= 0.0 && 3.0 * deviation < *mean;
+            if problems.positive(&format!("{path}.mean"), *mean) {
+                problems.must(&format!("{path}.deviation"), *deviation, is_right, &third);
+            }
+        }
+        RadiusSpec::List { list } if list.is_empty() => {
+            problems.add(format!("{path}.list"), "is empty, must have at least one radius");
+        }
+        RadiusSpec::List { list } => {
+            for (k, radius) in list.iter().enumerate() {
+                problems.positive(&format!("{path}.list.{k}"), *radius);
+            }
+        }
+    }
+}
+
+/// Every two materials that can touch need a law.
+fn touches(scenario: &Scenario, laws: &Laws, problems: &mut Problems) {
+    let named = |name: &Option<String>| laws.number(name.as_deref()).ok();
+    let mut used: Vec<usize> = scenario.grains.iter().filter_map(|g| named(&g.material)).collect();
+    used.extend(scenario.gas.iter().filter_map(|gas| named(&gas.material)));
+    used.extend(scenario.species.iter().filter_map(|species| named(&species.material)));
+    used.sort_unstable();
+    used.dedup();
+    for (k, &a) in used.iter().enumerate() {
+        for &b in used[k..].iter().filter(|&&b| laws.between(a, b).is_none()) {
+            let [a, b] = [a, b].map(|number| laws.names[number].as_str());
+            let message = match a == b {
+                true if a.is_empty() => "there is no law: add [law] or a [[material]]".to_owned(),
+                true => {
+                    format!("material {a:?} has no law: give it law or restitution, or add [law]")
+                }
+                false => format!(
+                    "{a:?} and {b:?} can touch, but have no law: add a [[pair]] between them, or [law]"
+                ),
+            };
+            problems.say(if a == b { "material" } else { "pair" }, message);
+        }
+    }
+}

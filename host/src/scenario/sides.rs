@@ -1,0 +1,77 @@
+//! What bounds the axes of a scenario? Reads nothing; writes nothing, names the fields and their values.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// What bounds each axis.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sides {
+    /// First axis.
+    #[serde(default)]
+    pub x: SideSpec,
+    /// Second axis.
+    #[serde(default)]
+    pub y: SideSpec,
+    /// Third axis.
+    #[serde(default)]
+    pub z: SideSpec,
+    /// Which fraction of the box all grains fill (area in two dimensions): sets the size of those
+    /// sides, all equal, that say no `from` and `to`.
+    pub packing_fraction: Option<f64>,
+}
+
+/// What bounds one axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
+pub enum SideSpec {
+    /// Nothing.
+    #[default]
+    Open,
+    /// The box repeats.
+    Periodic {
+        /// Lower end (m); may be left out with a packing fraction.
+        from: Option<f64>,
+        /// Upper end (m).
+        to: Option<f64>,
+    },
+    /// Two plane walls.
+    Walls {
+        /// Lower wall (m); may be left out with a packing fraction.
+        from: Option<f64>,
+        /// Upper wall (m).
+        to: Option<f64>,
+        /// Soft walls follow the contact law; hard ones need `restitution`.
+        surface: SurfaceSpec,
+        /// Coefficient of restitution of hard walls.
+        restitution: Option<f64>,
+    },
+    /// A plate below, z₀(t) = at + A₀ sin(2π (f t + φ)) (L94, Eq. 1); nothing above.
+    Plate {
+        /// Its mean place (m).
+        at: f64,
+        /// A₀ (m); 0, the default, is a plate at rest.
+        #[serde(default)]
+        amplitude: f64,
+        /// f (Hz).
+        #[serde(default)]
+        frequency: f64,
+        /// φ, in turns.
+        #[serde(default)]
+        phase: f64,
+        /// Soft plates follow the contact law; hard ones need `restitution`.
+        surface: SurfaceSpec,
+        /// Coefficient of restitution of a hard plate.
+        restitution: Option<f64>,
+    },
+}
+
+/// What walls are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum SurfaceSpec {
+    /// The contact law, with a partner of infinite mass.
+    Soft,
+    /// An instantaneous collision.
+    Hard,
+}
