@@ -92,10 +92,10 @@ fn place(scenario: &Scenario, path: &str, place: &PlaceSpec, problems: &mut Prob
             problems.vector(&format!("{path}.{field}"), corner, scenario.dimension);
         }
     }
-    if let (Some(from), Some(to)) = (from, to) {
-        if from.iter().zip(to).any(|(from, to)| from >= to) {
-            problems.add(path, "has a from that is not below its to");
-        }
+    if let (Some(from), Some(to)) = (from, to)
+        && from.iter().zip(to).any(|(from, to)| from >= to)
+    {
+        problems.add(path, "has a from that is not below its to");
     }
     match place {
         PlaceSpec::Layer { gap: Some(gap), .. } => {

@@ -53,7 +53,7 @@ pub fn grow(
     let mut jammed = Jammed(0.0);
     for rate in RATES {
         let mut run = Run::new(growth, &start, rate, rng);
-        match run.to_full_size() {
+        match run.grow_up() {
             Ok(()) => {
                 run.relax();
                 return Ok(run.positions(start.len()));
@@ -190,7 +190,7 @@ impl Run {
     }
 
     /// Until the scale is 1.
-    fn to_full_size(&mut self) -> Result<(), Jammed> {
+    fn grow_up(&mut self) -> Result<(), Jammed> {
         let end = (1.0 + MARGIN - self.scale) / self.rate;
         let window = 10 * self.moving.max(1);
         let (mut next_look, mut before) = (window, self.now);
@@ -324,10 +324,10 @@ impl Run {
         let growth = self.rate * (a.growing + b.growing);
         let gained = 2.0 * (growth - (along(a.velocity) - along(b.velocity)));
         let share = if j < self.moving { 0.5 } else { 1.0 };
-        for axis in 0..3 {
-            self.bodies[i].velocity[axis] += share * gained * normal[axis];
+        for (axis, n) in normal.into_iter().enumerate() {
+            self.bodies[i].velocity[axis] += share * gained * n;
             if j < self.moving {
-                self.bodies[j].velocity[axis] -= share * gained * normal[axis];
+                self.bodies[j].velocity[axis] -= share * gained * n;
             }
         }
         self.collisions += 1;
@@ -395,8 +395,8 @@ impl Run {
     fn predict(&mut self, i: usize) {
         let mut best = (f64::INFINITY, Next::Nothing);
         let here = self.place(i);
-        for axis in 0..self.region.dimension {
-            self.look_along(i, axis, here[axis], &mut best);
+        for (axis, x) in here.into_iter().enumerate().take(self.region.dimension) {
+            self.look_along(i, axis, x, &mut best);
         }
         for step in 0..27 {
             let steps = [step % 3, step / 3 % 3, step / 9].map(|k| k as isize - 1);
