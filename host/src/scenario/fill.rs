@@ -67,10 +67,10 @@ impl Crowd<'_> {
 /// # Errors
 /// When so many grains cannot be placed.
 pub fn fill(crowd: &Crowd<'_>, rng: &mut Pcg64) -> Result<Vec<[f64; 3]>, Problem> {
-    if crowd.packing() <= DILUTE[crowd.region.dimension - 1] {
-        if let Ok(places) = anew_until_free(crowd, rng) {
-            return Ok(places);
-        }
+    if crowd.packing() <= DILUTE[crowd.region.dimension - 1]
+        && let Ok(places) = anew_until_free(crowd, rng)
+    {
+        return Ok(places);
     }
     compressed(crowd, rng)
 }

@@ -34,17 +34,17 @@ impl Region {
         let corner = |corner: Option<&Vec<f64>>, axis: usize| corner?.get(axis).copied();
         let mut region = Self { dimension, axes: [[0.0; 2]; 3], periodic: [false; 3] };
         let mut lidless = None;
-        for axis in 0..dimension {
+        for (axis, side) in sides.iter().enumerate().take(dimension) {
             let (from, to) = (corner(from, axis), corner(to, axis));
-            let (low, high) = ends(&sides[axis]);
+            let (low, high) = ends(side);
             let is_whole =
                 from.is_none_or(|from| Some(from) == low) && to.is_none_or(|to| Some(to) == high);
-            region.periodic[axis] = matches!(sides[axis], Side::Periodic(_)) && is_whole;
+            region.periodic[axis] = matches!(side, Side::Periodic(_)) && is_whole;
             let Some(begin) = from.or(low) else {
                 return Err(endless(path, axis, "from and to are"));
             };
             let Some(end) = to.or(high) else {
-                if lidless.is_some() || matches!(sides[axis], Side::Open) {
+                if lidless.is_some() || matches!(side, Side::Open) {
                     return Err(endless(path, axis, "to is"));
                 }
                 lidless = Some(axis);

@@ -45,9 +45,8 @@ impl<'s> Shape<'s> {
             ([], _) => self.plain(schema, value, path),
             ([only], _) => self.value(only, value, path),
             (_, DeValue::Table(table)) if branches.iter().any(|b| b["type"] == "object") => {
-                match self.chosen(&branches, table, path, offset) {
-                    Some(branch) => self.table(branch, table, path, offset),
-                    None => {}
+                if let Some(branch) = self.chosen(&branches, table, path, offset) {
+                    self.table(branch, table, path, offset);
                 }
             }
             (_, DeValue::String(word)) if branches.iter().any(|b| b["type"] == "string") => {
