@@ -32,7 +32,7 @@ pub use statistics::Statistics;
 #[cfg(feature = "alloc")]
 pub use storage::HeapMemory;
 pub use storage::{Buffers, Memory, Storage};
-pub use view::{Motion, View};
+pub use view::{Motion, Relative, View};
 
 pub use crate::detect::{EventKind, ScheduledEvent};
 pub use crate::resolve::{EventOutcome, Release};

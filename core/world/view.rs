@@ -14,6 +14,17 @@ pub struct View<'a, S: Scalar, const D: usize> {
     pub(super) statistics: &'a Statistics,
 }
 
+/// One grain as another sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Relative<S: Scalar, const D: usize> {
+    /// r_a − r_b, nearest image.
+    pub separation: Vector<S, D>,
+    /// v_a − v_b.
+    pub velocity: Vector<S, D>,
+    /// m_a m_b/(m_a + m_b).
+    pub reduced_mass: S,
+}
+
 /// How a grain moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -134,6 +145,37 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
         }
         grain.velocity += body.velocity_change;
         Some(grain)
+    }
+
+    /// The velocity of a grain now: that of [`View::grain`], for less work.
+    #[must_use]
+    #[inline]
+    pub fn velocity(&self, index: usize) -> Option<Vector<S, D>> {
+        let body = self.particles.body(index)?;
+        if body.is_supported() || body.is_clustered() {
+            return self.grain(index).map(|grain| grain.velocity);
+        }
+        Some(flight::free(body, self.domain, self.clock.now).1)
+    }
+
+    /// Grain `a` as grain `b` sees it: what [`View::grain`] says of both, for less work.
+    #[must_use]
+    #[inline]
+    pub fn relative(&self, a: usize, b: usize) -> Option<Relative<S, D>> {
+        let (one, other) = (self.particles.body(a)?, self.particles.body(b)?);
+        let motion = |body: &Body<S, D>, index| {
+            if body.is_supported() || body.is_clustered() {
+                return self.grain(index).map(|grain| (grain.position, grain.velocity));
+            }
+            Some(flight::free(body, self.domain, self.clock.now))
+        };
+        let ((r, v), (s, w)) = (motion(one, a)?, motion(other, b)?);
+        let boundary = &self.domain.boundary;
+        Some(Relative {
+            separation: boundary.nearest(boundary.wrap(r) - boundary.wrap(s)),
+            velocity: v - w,
+            reduced_mass: one.mass / (one.mass + other.mass) * other.mass,
+        })
     }
 
     /// The separation r_a − r_b of two grains, nearest image.

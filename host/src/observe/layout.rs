@@ -20,7 +20,10 @@ pub enum Contact {
     Duration,
 }
 
-const CONTACT: usize = 6;
+impl Contact {
+    /// How many there are.
+    pub const COUNT: usize = 6;
+}
 
 /// What is summed for every plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +36,10 @@ pub enum Wall {
     Loss,
 }
 
-const WALL: usize = 3;
+impl Wall {
+    /// How many there are.
+    pub const COUNT: usize = 3;
+}
 
 /// What is summed over states, for every species.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,7 +54,10 @@ pub enum State {
     Fourth,
 }
 
-const STATE: usize = 6;
+impl State {
+    /// How many there are.
+    pub const COUNT: usize = 6;
+}
 
 /// The largest number of species that are told apart.
 const MAX_SPECIES: usize = 8;
@@ -106,12 +115,12 @@ impl Layout {
 
     /// How many sums collisions have.
     pub fn tally_width(&self) -> usize {
-        1 + self.dimension.pow(2) + CONTACT * self.pairs() + WALL * self.walls.len()
+        1 + self.dimension.pow(2) + Contact::COUNT * self.pairs() + Wall::COUNT * self.walls.len()
     }
 
     /// How many sums there are.
     pub fn width(&self) -> usize {
-        self.tally_width() + 1 + self.dimension.pow(2) + STATE * self.names.len()
+        self.tally_width() + 1 + self.dimension.pow(2) + State::COUNT * self.names.len()
     }
 
     /// Pairs of species, both the same included.
@@ -135,12 +144,12 @@ impl Layout {
 
     /// A sum over contacts between two species.
     pub fn contact(&self, pair: usize, what: Contact) -> usize {
-        1 + self.dimension.pow(2) + CONTACT * pair + what as usize
+        1 + self.dimension.pow(2) + Contact::COUNT * pair + what as usize
     }
 
     /// A sum over contacts with a plane.
     pub fn wall(&self, wall: usize, what: Wall) -> usize {
-        self.contact(self.pairs(), Contact::Count) + WALL * wall + what as usize
+        self.contact(self.pairs(), Contact::Count) + Wall::COUNT * wall + what as usize
     }
 
     /// How many states were looked at.
@@ -161,7 +170,7 @@ impl Layout {
             State::Second => 4,
             State::Fourth => 5,
         };
-        self.tally_width() + 1 + self.dimension.pow(2) + STATE * species + place
+        self.tally_width() + 1 + self.dimension.pow(2) + State::COUNT * species + place
     }
 
     /// The sums of states.

@@ -8,23 +8,27 @@ use crate::scenario::Placed;
 /// Along axes that are not between two walls velocities count from the mean one; what that takes from
 /// a species of N_s grains of mass m_s is made up for: the sum counts for N_s (1 − m_s/M).
 pub fn add(sums: &mut [f64], layout: &Layout, grains: &[Placed]) {
-    let mean = mean_velocity(layout, grains);
+    let (mean, d) = (mean_velocity(layout, grains), layout.dimension);
     sums[layout.states()] += 1.0;
+    let mut species = vec![[0.0; State::COUNT]; layout.names.len()];
+    let mut stress = [[0.0; 3]; 3];
     for (number, grain) in grains.iter().enumerate() {
-        let species = layout.species.get(number).copied().map_or(0, usize::from);
-        let at = |what| layout.state(species, what);
+        let which = layout.species.get(number).copied().map_or(0, usize::from);
         let v: [f64; 3] = std::array::from_fn(|a| grain.velocity[a] - mean[a]);
-        let mut square = 0.0;
-        for a in 0..layout.dimension {
-            square += v[a] * v[a];
-            sums[at(State::Square(a))] += grain.mass * v[a] * v[a];
-            for b in 0..layout.dimension {
-                sums[layout.stress(a, b)] += grain.mass * v[a] * v[b];
-            }
+        for (row, v_a) in stress.iter_mut().zip(&v) {
+            row.iter_mut().zip(&v).for_each(|(sum, v_b)| *sum += grain.mass * v_a * v_b);
         }
-        sums[at(State::Count)] += 1.0;
-        sums[at(State::Second)] += square;
-        sums[at(State::Fourth)] += square * square;
+        let square: f64 = v.iter().map(|v| v * v).sum();
+        let [x, y, z] = v.map(|v| grain.mass * v * v);
+        let more = [1.0, x, y, z, square, square * square];
+        species[which].iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+    }
+    for (which, more) in species.iter().enumerate() {
+        let at = layout.state(which, State::Count);
+        sums[at..at + State::COUNT].iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+    }
+    for (a, row) in stress.iter().enumerate().take(d) {
+        row.iter().enumerate().take(d).for_each(|(b, more)| sums[layout.stress(a, b)] += more);
     }
 }
 

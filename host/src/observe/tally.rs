@@ -2,9 +2,10 @@
 
 use super::layout::{Contact, Layout, Wall};
 use carom::law::Outcome;
+use carom::nalgebra::SVector;
 use carom::particle::Partner;
-use carom::world::{Event, EventKind, EventOutcome};
-use carom::{Grain, Observer, View};
+use carom::world::{Event, EventKind, EventOutcome, Relative};
+use carom::{Observer, View};
 
 /// Sums over the contacts of a world.
 ///
@@ -16,32 +17,58 @@ use carom::{Grain, Observer, View};
 pub struct Tally<const D: usize> {
     layout: Layout,
     sums: Vec<f64>,
-    /// What is about to happen: to whom, with whom.
-    two: Option<Two<D>>,
+    /// Where the sums of the first pair of species and those of the first wall begin.
+    contacts: usize,
+    walls: usize,
+    /// What is about to happen.
+    touch: Option<Touch<D>>,
     /// Contacts under way that an event may end.
-    ending: Vec<Two<D>>,
+    ending: Vec<Ending<D>>,
 }
 
-/// A grain and what it touches, before they know of each other.
+type Vector<const D: usize> = SVector<f64, D>;
+
+/// Two that are about to touch.
 #[derive(Clone, Copy, Debug)]
-struct Two<const D: usize> {
+enum Touch<const D: usize> {
+    Grains { a: usize, b: usize, before: Relative<f64, D> },
+    Plane(Grounded<D>),
+}
+
+/// A grain at a plane, before they know of each other.
+#[derive(Clone, Copy, Debug)]
+struct Grounded<const D: usize> {
     grain: usize,
-    one: Grain<f64, D>,
-    other: Other<D>,
+    plane: usize,
+    mass: f64,
+    velocity: Vector<D>,
 }
 
-/// What a grain touches.
+/// A grain whose contact may end.
 #[derive(Clone, Copy, Debug)]
-enum Other<const D: usize> {
-    Grain { number: usize, grain: Grain<f64, D>, separation: [f64; D] },
-    Plane { number: usize, normal: [f64; D] },
+enum Ending<const D: usize> {
+    /// With another, which is released for itself or with it.
+    Grain {
+        grain: usize,
+        with: usize,
+        mass: f64,
+        velocity: Vector<D>,
+        separation: Vector<D>,
+    },
+    Plane(Grounded<D>),
 }
 
 impl<const D: usize> Tally<D> {
     /// Nothing has happened.
     pub fn new(layout: &Layout) -> Self {
-        let sums = vec![0.0; layout.tally_width()];
-        Self { layout: layout.clone(), sums, two: None, ending: Vec::with_capacity(2) }
+        Self {
+            layout: layout.clone(),
+            sums: vec![0.0; layout.tally_width()],
+            contacts: layout.contact(0, Contact::Count),
+            walls: layout.wall(0, Wall::Count),
+            touch: None,
+            ending: Vec::with_capacity(4),
+        }
     }
 
     /// The sums so far.
@@ -61,71 +88,41 @@ impl<const D: usize> Tally<D> {
         std::mem::replace(&mut self.sums, vec![0.0; width])
     }
 
-    fn species(&self, grain: usize) -> usize {
-        self.layout.species.get(grain).copied().map_or(0, usize::from)
+    /// The sums over contacts of two grains.
+    #[inline]
+    fn contacts_of(&mut self, a: usize, b: usize) -> &mut [f64] {
+        let species = |k: usize| self.layout.species.get(k).copied().map_or(0, usize::from);
+        let at = self.contacts + Contact::COUNT * self.layout.pair(species(a), species(b));
+        self.sums.get_mut(at..at + Contact::COUNT).unwrap_or_default()
     }
 
-    fn add(&mut self, place: usize, value: f64) {
-        if let Some(sum) = self.sums.get_mut(place) {
-            *sum += value;
+    /// The sums over contacts with a plane.
+    fn wall(&mut self, plane: usize) -> &mut [f64] {
+        let at = self.walls + Wall::COUNT * plane;
+        self.sums.get_mut(at..at + Wall::COUNT).unwrap_or_default()
+    }
+
+    /// Momentum that a grain was given by another one at this separation, or half of what both were.
+    #[inline]
+    fn transfer(&mut self, separation: &Vector<D>, change: &Vector<D>) {
+        let Some(virial) = self.sums.get_mut(1..1 + D * D) else { return };
+        for (row, r) in virial.chunks_exact_mut(D).zip(separation.iter()) {
+            row.iter_mut().zip(change.iter()).for_each(|(sum, p)| *sum += r * p);
         }
     }
 
-    fn pair_of(&self, a: usize, b: usize) -> usize {
-        self.layout.pair(self.species(a), self.species(b))
-    }
-
-    /// Momentum that a grain was given by what it touched, or half of what both were given.
-    fn transfer(&mut self, two: &Two<D>, change: &[f64; D], share: f64) {
-        match two.other {
-            Other::Grain { separation, .. } => {
-                for (a, r) in separation.iter().enumerate() {
-                    for (b, p) in change.iter().enumerate() {
-                        let place = self.layout.virial(a, b);
-                        self.add(place, share * r * p);
-                    }
-                }
-            }
-            Other::Plane { number, normal } => {
-                let place = self.layout.wall(number, Wall::Push);
-                self.add(place, dot(&normal, change));
-            }
-        }
-    }
-
-    fn lose(&mut self, two: &Two<D>, energy: f64) {
-        let place = match two.other {
-            Other::Grain { number, .. } => {
-                self.layout.contact(self.pair_of(two.grain, number), Contact::Loss)
-            }
-            Other::Plane { number, .. } => self.layout.wall(number, Wall::Loss),
-        };
-        self.add(place, energy);
-    }
-
-    /// A collision, or a contact that began: both have the new velocities of these two.
-    fn touched(&mut self, two: &Two<D>, velocity: &[f64; D], how: &EventOutcome<f64>) {
-        let change = momentum(&two.one, velocity);
-        self.transfer(two, &change, 1.0);
-        let square = dot(&change, &change);
-        match two.other {
-            Other::Grain { number, grain, separation } => {
-                let relative: [f64; D] =
-                    std::array::from_fn(|a| two.one.velocity[a] - grain.velocity[a]);
-                let reduced = two.one.mass * grain.mass / (two.one.mass + grain.mass);
-                self.lose(two, -dot(&change, &relative) - square / (2.0 * reduced));
-                let approach = -dot(&separation, &relative) / dot(&separation, &separation).sqrt();
-                self.count(self.pair_of(two.grain, number), approach, how);
-            }
-            Other::Plane { number, .. } => {
-                let old: [f64; D] = two.one.velocity.into();
-                self.lose(two, -dot(&change, &old) - square / (2.0 * two.one.mass));
-                self.add(self.layout.wall(number, Wall::Count), 1.0);
-            }
-        }
-    }
-
-    fn count(&mut self, pair: usize, approach: f64, how: &EventOutcome<f64>) {
+    /// A collision of two grains, or the beginning of a contact: they have this relative velocity now.
+    #[inline]
+    fn touched(
+        &mut self,
+        [a, b]: [usize; 2],
+        before: &Relative<f64, D>,
+        after: &Vector<D>,
+        how: &EventOutcome<f64>,
+    ) {
+        let Relative { separation, velocity, reduced_mass } = before;
+        self.transfer(separation, &((after - velocity) * *reduced_mass));
+        let approach = -separation.dot(velocity) / separation.norm_squared().sqrt();
         let (restitution, duration, lasting) = match how {
             EventOutcome::ContactBegan(Outcome { restitution, duration, .. }) => {
                 (*restitution, *duration, 1.0)
@@ -133,53 +130,73 @@ impl<const D: usize> Tally<D> {
             EventOutcome::Collision { restitution } => (*restitution, 0.0, 0.0),
             _ => return,
         };
-        for (what, value) in [
-            (Contact::Count, 1.0),
-            (Contact::Lasting, lasting),
-            (Contact::Approach, approach),
-            (Contact::Restitution, restitution),
-            (Contact::Duration, duration),
-        ] {
-            self.add(self.layout.contact(pair, what), value);
-        }
+        let loss = 0.5 * reduced_mass * (velocity.norm_squared() - after.norm_squared());
+        let more = [1.0, lasting, loss, approach, restitution, duration];
+        self.contacts_of(a, b).iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
     }
 
-    /// A contact that ended, for one of the two.
-    fn ended(&mut self, two: &Two<D>, velocity: &[f64; D]) {
-        let change = momentum(&two.one, velocity);
-        let share = if matches!(two.other, Other::Grain { .. }) { 0.5 } else { 1.0 };
-        self.transfer(two, &change, share);
-        let old: [f64; D] = two.one.velocity.into();
-        self.lose(two, -dot(&change, &old) - dot(&change, &change) / (2.0 * two.one.mass));
+    /// What a plane and a grain gave each other.
+    fn pushed(&mut self, ground: &Grounded<D>, view: &View<'_, f64, D>, count: f64) {
+        let Some(after) = view.velocity(ground.grain) else { return };
+        let Some(plane) = view.boundary().planes().get(ground.plane) else { return };
+        let push = plane.normal.dot(&(after - ground.velocity)) * ground.mass;
+        let loss = 0.5 * ground.mass * (ground.velocity.norm_squared() - after.norm_squared());
+        let more = [count, push, loss];
+        self.wall(ground.plane).iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+    }
+
+    /// A contact may have ended; if it has not the velocity is the same.
+    fn ended(&mut self, ending: &Ending<D>, view: &View<'_, f64, D>) {
+        match ending {
+            Ending::Plane(ground) => self.pushed(ground, view, 0.0),
+            Ending::Grain { grain, with, mass, velocity, separation } => {
+                let Some(after) = view.velocity(*grain) else { return };
+                self.transfer(separation, &((after - velocity) * (0.5 * mass)));
+                let loss = 0.5 * mass * (velocity.norm_squared() - after.norm_squared());
+                if let Some(sum) = self.contacts_of(*grain, *with).get_mut(Contact::Loss as usize) {
+                    *sum += loss;
+                }
+            }
+        }
     }
 
     /// The contact of a grain, if it has one, may end in this event, for one of the two or for both.
     fn may_end(&mut self, grain: usize, view: &View<'_, f64, D>) {
         let Some((partner, _)) = view.contact(grain) else { return };
-        let Some(mine) = two(grain, partner, view) else { return };
-        self.ending.push(mine);
-        let other = partner.as_grain().and_then(|k| Some((k, view.contact(k)?.0)));
-        if let Some((k, _)) = other.filter(|(_, with)| with.as_grain() == Some(grain)) {
-            self.ending.extend(two(k, Partner::grain(grain), view));
+        if let Some(plane) = partner.as_plane() {
+            self.ending.extend(grounded(grain, plane, view).map(Ending::Plane));
         }
+        let Some(other) = partner.as_grain() else { return };
+        let of = |grain, with| {
+            let mine = view.grain(grain)?;
+            let Relative { separation, .. } = view.relative(grain, with)?;
+            let (mass, velocity) = (mine.mass, mine.velocity);
+            Some(Ending::Grain { grain, with, mass, velocity, separation })
+        };
+        self.ending.extend(of(grain, other));
+        let mutual = view.contact(other).is_some_and(|(with, _)| with.as_grain() == Some(grain));
+        self.ending.extend(mutual.then(|| of(other, grain)).flatten());
     }
 }
 
-fn two<const D: usize>(grain: usize, with: Partner, view: &View<'_, f64, D>) -> Option<Two<D>> {
-    let one = view.grain(grain)?;
-    let other = match (with.as_grain(), with.as_plane()) {
-        (Some(number), _) => {
-            let grain = view.grain(number)?;
-            let separation = view.boundary().nearest(one.position - grain.position).into();
-            Other::Grain { number, grain, separation }
+fn touch<const D: usize>(grain: usize, with: Partner, view: &View<'_, f64, D>) -> Option<Touch<D>> {
+    match (with.as_grain(), with.as_plane()) {
+        (Some(b), _) => {
+            let before = view.relative(grain, b)?;
+            Some(Touch::Grains { a: grain, b, before })
         }
-        (None, Some(number)) => {
-            let normal = view.boundary().planes().get(number)?.normal.into();
-            Other::Plane { number, normal }
-        }
-        (None, None) => return None,
-    };
-    Some(Two { grain, one, other })
+        (None, Some(plane)) => grounded(grain, plane, view).map(Touch::Plane),
+        (None, None) => None,
+    }
+}
+
+fn grounded<const D: usize>(
+    grain: usize,
+    plane: usize,
+    view: &View<'_, f64, D>,
+) -> Option<Grounded<D>> {
+    let mine = view.grain(grain)?;
+    Some(Grounded { grain, plane, mass: mine.mass, velocity: mine.velocity })
 }
 
 impl<const D: usize> Observer<f64, D> for Tally<D> {
@@ -187,9 +204,9 @@ impl<const D: usize> Observer<f64, D> for Tally<D> {
     fn before(&mut self, event: &Event<f64>, view: View<'_, f64, D>) {
         match event.kind {
             EventKind::Collision => {
-                self.two = two(event.grain, event.partner, &view);
-                let both = [Some(event.grain), event.partner.as_grain()];
-                both.into_iter().flatten().for_each(|i| self.may_end(i, &view));
+                self.touch = touch(event.grain, event.partner, &view);
+                self.may_end(event.grain, &view);
+                event.partner.as_grain().into_iter().for_each(|i| self.may_end(i, &view));
             }
             EventKind::ContactEnd => self.may_end(event.grain, &view),
             _ => {}
@@ -201,34 +218,26 @@ impl<const D: usize> Observer<f64, D> for Tally<D> {
         if !matches!(event.kind, EventKind::Collision | EventKind::ContactEnd) {
             return;
         }
-        let two = self.two.take();
-        let velocity = |grain: usize| view.grain(grain).map(|grain| grain.velocity.into());
-        match (&event.outcome, two) {
+        match (&event.outcome, self.touch.take()) {
             (
                 Some(how @ (EventOutcome::Collision { .. } | EventOutcome::ContactBegan(_))),
-                Some(two),
+                Some(touch),
             ) => {
-                if let Some(velocity) = velocity(two.grain) {
-                    self.touched(&two, &velocity, how);
-                }
                 self.ending.clear();
+                match touch {
+                    Touch::Grains { a, b, before } => {
+                        if let (Some(v), Some(w)) = (view.velocity(a), view.velocity(b)) {
+                            self.touched([a, b], &before, &(v - w), how);
+                        }
+                    }
+                    Touch::Plane(ground) => self.pushed(&ground, &view, 1.0),
+                }
             }
             _ => {
-                while let Some(two) = self.ending.pop() {
-                    if let Some(velocity) = velocity(two.grain) {
-                        self.ended(&two, &velocity);
-                    }
+                while let Some(ending) = self.ending.pop() {
+                    self.ended(&ending, &view);
                 }
             }
         }
     }
-}
-
-fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// The momentum that a grain was given.
-fn momentum<const D: usize>(before: &Grain<f64, D>, after: &[f64; D]) -> [f64; D] {
-    std::array::from_fn(|a| before.mass * (after[a] - before.velocity[a]))
 }
