@@ -51,7 +51,7 @@ impl<const D: usize> Driving<D> {
     /// A number of a source that makes no sense, with the source's place in the list.
     pub fn new(sources: Vec<Source<D>>, grains: usize, seed: u64) -> Result<Self> {
         for (number, source) in sources.iter().enumerate() {
-            source.check().with_context(|| format!("driving source {number}"))?;
+            source.check(grains).with_context(|| format!("driving source {number}"))?;
         }
         let mut rng = Pcg64::seed_from_u64(seed);
         let next = sources.iter().map(|source| source.first_time(grains, &mut rng)).collect();

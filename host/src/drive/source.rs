@@ -67,7 +67,7 @@ pub enum Action<const D: usize> {
 
 impl<const D: usize> Source<D> {
     /// What makes no sense in it.
-    pub(super) fn check(&self) -> Result<()> {
+    pub(super) fn check(&self, grains: usize) -> Result<()> {
         let positive = |name: &str, x: f64| match x > 0.0 && x.is_finite() {
             true => Ok(()),
             false => bail!("{name} is {x}, must be finite and above 0"),
@@ -83,8 +83,13 @@ impl<const D: usize> Source<D> {
                 positive("interval", *interval)
             }
             Self::Gravity(gravity) => gravity.check(),
-            Self::At { time, .. } if *time >= 0.0 && time.is_finite() => Ok(()),
-            Self::At { time, .. } => bail!("time is {time}, must be finite and at least 0"),
+            Self::At { time, .. } if !(*time >= 0.0 && time.is_finite()) => {
+                bail!("time is {time}, must be finite and at least 0")
+            }
+            Self::At { action, .. } if action.grain() >= grains => {
+                bail!("there is no grain {}, must be below {grains}", action.grain())
+            }
+            Self::At { .. } => Ok(()),
         }
     }
 
@@ -127,6 +132,13 @@ impl<const D: usize> Source<D> {
 }
 
 impl<const D: usize> Action<D> {
+    /// Whom it concerns.
+    const fn grain(&self) -> usize {
+        match self {
+            Self::Kick(grain, _) | Self::SetVelocity(grain, _) | Self::Remove(grain) => *grain,
+        }
+    }
+
     fn happen<R: Rule<f64>>(&self, world: &mut World<'_, f64, D, R>) -> Result<()> {
         match *self {
             Self::Kick(grain, Vector(change)) => {

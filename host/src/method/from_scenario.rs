@@ -1,11 +1,14 @@
 //! By which method and rule does a scenario run? Reads a scenario; writes nothing, hands out one running method.
 
-use super::implementations::{EventDriven, ForceBased, Method};
+use super::event_driven::EventDriven;
+use super::force_based::ForceBased;
+use super::interface::Method;
+use crate::drive::Driving;
 use crate::integrated::Integrated;
 use crate::observe::Layout;
 use crate::scenario::{
     EnduringSpec, LawSpec, Laws, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side,
-    Start,
+    Start, sources,
 };
 use crate::tables::embedded;
 use anyhow::{Context, Result, bail};
@@ -123,11 +126,12 @@ fn with_rule<const D: usize, T>(
     let layout = scenario.observe.as_ref().map(|_| Layout::new(start));
     let mut storage = HeapMemory::<f64, D>::with_capacity(start.grains.len());
     if let Some(bytes) = state {
-        let (saved, tally): (Saved<D>, Option<Vec<f64>>) =
+        let (saved, tally, driving): (Saved<D>, Option<Vec<f64>>, Option<Driving<D>>) =
             postcard::from_bytes(bytes).context("the saved state is damaged")?;
         let world = World::restore(&mut storage, rule, &saved)?;
         let method = EventDriven::new(world, name, scenario.options.events);
-        return work(&mut method.with_tally(layout.as_ref(), tally.as_deref()));
+        let method = method.with_tally(layout.as_ref(), tally.as_deref());
+        return work(&mut method.driven(driving));
     }
     let builder = World::builder(&mut storage).gravity(first(&start.gravity));
     let builder = builder.enduring(enduring(scenario));
@@ -142,7 +146,16 @@ fn with_rule<const D: usize, T>(
     });
     let world = builder.grains(grains).and_then(WorldBuilder::start)?;
     let method = EventDriven::new(world, name, scenario.options.events);
-    work(&mut method.with_tally(layout.as_ref(), None))
+    let driving = driving(scenario, start)?;
+    work(&mut method.with_tally(layout.as_ref(), None).driven(driving))
+}
+
+/// What drives a run, if anything does.
+fn driving<const D: usize>(scenario: &Scenario, start: &Start) -> Result<Option<Driving<D>>> {
+    let sources = sources(scenario, start);
+    let is_driven = !sources.is_empty();
+    let driving = || Driving::new(sources, start.grains.len(), scenario.seed);
+    is_driven.then(driving).transpose()
 }
 
 fn enduring(scenario: &Scenario) -> Enduring {

@@ -1,7 +1,11 @@
 //! By which method does a scenario run, and what does every method have? Reads a scenario; writes nothing, hands out one running method.
 
+mod event_driven;
+mod force_based;
 mod from_scenario;
-mod implementations;
+mod interface;
 
+pub use event_driven::EventDriven;
+pub use force_based::ForceBased;
 pub use from_scenario::{force_law, rules, with, with_state};
-pub use implementations::{EventDriven, ForceBased, LoggedEvent, Method};
+pub use interface::{LoggedEvent, Method};

@@ -76,12 +76,28 @@ impl Axis {
             [a, b, ..] => (b - a).abs(),
             _ => tick.abs(),
         };
-        let digits = (-(step * 1.000_001).log10().floor()).clamp(0.0, 6.0) as usize;
-        let last = step * 10f64.powi(digits as i32);
-        let digits = digits + usize::from((last - last.round()).abs() > 0.01);
-        let text = format!("{:.*}", digits, if tick.abs() < 1e-12 { 0.0 } else { tick });
+        let largest = self.ticks.iter().fold(tick.abs(), |largest, tick| largest.max(tick.abs()));
+        let tick = if tick.abs() < 1e-9 * step { 0.0 } else { tick };
+        // Very small and very large numbers have a power of ten of their own, the same for all of an axis.
+        let power = largest.log10().floor() as i32;
+        let text = match (-4..7).contains(&power) || largest == 0.0 {
+            true => rounded(tick, step),
+            false if tick == 0.0 => "0".to_owned(),
+            false => {
+                let unit = 10f64.powi(power);
+                format!("{} · 10^{{{power}}}", rounded(tick / unit, step / unit))
+            }
+        };
         text.replace('-', "−")
     }
+}
+
+/// A tick with as many digits as the step from one to the next needs.
+fn rounded(tick: f64, step: f64) -> String {
+    let digits = (-(step * 1.000_001).log10().floor()).clamp(0.0, 6.0) as usize;
+    let last = step * 10f64.powi(digits as i32);
+    let digits = digits + usize::from((last - last.round()).abs() > 0.01);
+    format!("{tick:.digits$}")
 }
 
 /// 2, 3, … 9 times a power of ten.

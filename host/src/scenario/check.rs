@@ -6,7 +6,7 @@ use super::laws::Laws;
 use super::problem::Problems;
 use super::sides::{SideSpec, SurfaceSpec};
 use super::spec::{MethodName, Scenario};
-use super::{check_species, memory};
+use super::{check_species, drive, memory};
 
 /// Everything that is wrong with it.
 pub fn check(scenario: &Scenario) -> Problems {
@@ -45,6 +45,7 @@ pub fn check(scenario: &Scenario) -> Problems {
         gas(scenario, &laws, one, &mut problems);
     }
     check_species::check(scenario, &laws, &mut problems);
+    drive::check(scenario, &mut problems);
     // Who is called by a wrong name seems to have no law, either.
     let is_about_names = |path: &str| path.ends_with(".between") || path.ends_with(".name");
     if !problems.0.iter().any(|problem| is_about_names(&problem.path)) {
@@ -251,6 +252,9 @@ fn methods(scenario: &Scenario, problems: &mut Problems) {
         }
         if is_force_based && scenario.hard_walls().is_some() {
             say(method, "soft walls, but the box has hard ones");
+        }
+        if is_force_based && !scenario.drives.is_empty() {
+            say(method, "grains that nothing drives, but there is [[drive]]");
         }
         if is_force_based && !has_constant && scenario.only_law().is_none() {
             say(method, "one law for all, but there are several");

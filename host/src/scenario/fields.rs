@@ -98,7 +98,8 @@ impl<'s> Page<'s> {
                 return words.join(", ");
             }
             let heading = match heading {
-                "box" | "options" | "gas" | "law" => format!("[{heading}]"),
+                "box" | "options" | "gas" | "law" | "observe" => format!("[{heading}]"),
+                "profile" | "pair_distribution" | "correlations" => format!("[observe.{heading}]"),
                 _ => heading.to_owned(),
             };
             self.waiting.push((heading.clone(), name.to_owned()));

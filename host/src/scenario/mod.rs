@@ -5,6 +5,7 @@ mod check;
 mod check_species;
 mod compress;
 mod document;
+mod drive;
 mod fields;
 mod fill;
 mod frames;
@@ -32,6 +33,7 @@ mod start;
 mod thermal;
 mod touching;
 
+pub use drive::{DriveSpec, EndName, sources};
 pub use fields::fields;
 pub use grains::{Gas, GrainSpec, LatticeName, PlaceSpec, RadiusSpec, SpeciesSpec};
 pub use law::{LawSpec, MaterialSpec, PairLawSpec};

@@ -6,10 +6,7 @@ use serde::Deserialize;
 
 /// What is measured while a method runs: the table `[observe]` of a scenario.
 ///
-/// Means, energies and rates are measured wherever the table stands, empty or not.
-///
-/// # Units
-/// SI throughout.
+/// Means, energies and rates are measured wherever the table stands, empty or not. All units are SI.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ObserveSpec {

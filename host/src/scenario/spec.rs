@@ -1,5 +1,6 @@
 //! What can a scenario file say? Reads nothing; writes nothing, names the fields and their values.
 
+use super::drive::DriveSpec;
 use super::grains::{Gas, GrainSpec, SpeciesSpec};
 use super::law::{LawSpec, MaterialSpec, PairLawSpec};
 use super::options::Options;
@@ -56,7 +57,10 @@ pub struct Scenario {
     pub species: Vec<SpeciesSpec>,
     /// What is measured; nothing if left out.
     pub observe: Option<super::observe::ObserveSpec>,
-    /// Seed of all that is drawn for species (PCG 64): the same seed gives the same start
+    /// What drives the grains while they run.
+    #[serde(default, rename = "drive")]
+    pub drives: Vec<DriveSpec>,
+    /// Seed of all that is drawn for species and by what drives them (PCG 64): the same seed gives the same start
     /// everywhere.
     #[serde(default = "first_seed")]
     pub seed: u64,
@@ -140,7 +144,9 @@ impl Scenario {
         let has_force = self.laws().any(|law| law.has_force());
         match self.only_law() {
             _ if !has_force => vec![MethodName::Emd],
-            Some(_) if self.hard_walls().is_none() => MethodName::ALL.to_vec(),
+            Some(_) if self.hard_walls().is_none() && self.drives.is_empty() => {
+                MethodName::ALL.to_vec()
+            }
             _ => vec![MethodName::Emd, MethodName::EmdStar],
         }
     }
