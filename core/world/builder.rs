@@ -40,6 +40,7 @@ impl<'m, S: Scalar, const D: usize> World<'m, S, D, NoRule> {
     }
 
     /// As [`World::builder`], in arrays that are already lent.
+    #[must_use]
     pub fn builder_with(mut buffers: Buffers<'m, S, D>) -> WorldBuilder<'m, S, D, NoRule> {
         let boundary = Boundary::open(core::mem::take(&mut buffers.planes));
         WorldBuilder {
