@@ -68,7 +68,7 @@ impl<S: Scalar> Settings<S> {
             fastest = fastest.max(norm(&body.velocity));
         }
         self.plates = boundary.planes().iter().fold([S::zero(); 2], |[speed, most], plane| {
-            let acceleration = plane.vibration.map_or(S::zero(), |v| v.peak_acceleration());
+            let acceleration = plane.vibration().map_or(S::zero(), |v| v.peak_acceleration());
             [speed.max(plane.peak_speed()), most.max(acceleration)]
         });
         let [speed, _] = self.plates;

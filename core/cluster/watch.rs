@@ -123,7 +123,7 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
         let fall = norm(self.domain.gravity()) * span;
         let fastest = plane.peak_speed() + fall - dot(&plane.normal, &self.me.velocity);
         let gap = plane.gap(&self.me.position, self.me.radius, self.me.clock);
-        let least = match plane.vibration {
+        let least = match plane.vibration() {
             Some(v) => plane.mean_gap(&self.me.position, self.me.radius) - v.amplitude.abs(),
             None => gap,
         };

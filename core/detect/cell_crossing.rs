@@ -8,17 +8,18 @@ use crate::scalar::{Scalar, Vector, component};
 use crate::space::{Boundary, CellFace, Domain, Grid, Particles, flight};
 
 /// When the body gets out of reach of the neighbours that were looked at: it crosses into another cell,
-/// or, without cells, has flown so far that another image may be the nearest.
+/// or, without cells, has flown so far that another image may be the nearest. Where that is visibly after a limit
+/// it may say nothing.
 #[inline]
 pub(super) fn out_of_reach<S: Scalar, const D: usize>(
     particles: &Particles<'_, S, D>,
     domain: &Domain<'_, S, D>,
-    now: S,
+    (now, limit): (S, S),
     me: &Body<S, D>,
     (at, free): (&[u32; D], [&Vector<S, D>; 2]),
 ) -> ScheduledEvent<S> {
     let first = match &particles.cells.grid {
-        Some(grid) => crossing(domain, now, (grid, at), me, free),
+        Some(grid) => crossing(domain, (now, limit), (grid, at), me, free),
         None => {
             let span = boundary_sentinel(domain, now, me, particles.largest_radius);
             span.map(|span| (span, EventKind::BoundarySentinel, ScheduledEvent::<S>::NO_FACE))
@@ -37,7 +38,7 @@ pub(super) fn out_of_reach<S: Scalar, const D: usize>(
 #[inline]
 fn crossing<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
-    now: S,
+    (now, limit): (S, S),
     (grid, at): (&Grid<S, D>, &[u32; D]),
     body: &Body<S, D>,
     [position, velocity]: [&Vector<S, D>; 2],
@@ -46,6 +47,7 @@ fn crossing<S: Scalar, const D: usize>(
         return supported_crossing(domain, now, grid, &flight::at(body, domain, now));
     }
     let mut first = (S::NEVER, ScheduledEvent::<S>::NO_FACE);
+    let margin = body.radius * S::from_f32(1.0 / 256.0);
     for axis in 0..D {
         let [x, v, a] = [position, velocity, domain.gravity()].map(|v| component(v, axis));
         if a == S::zero() {
@@ -57,7 +59,8 @@ fn crossing<S: Scalar, const D: usize>(
         }
         let [low, high] = grid.faces(at, axis, x);
         for (gap, v, a, up) in [(low, v, a, false), (high, -v, -a, true)] {
-            if let Some(span) = gap.and_then(|gap| root::plane(gap, v, a)) {
+            let near = |gap: &S| !root::stays_above(margin, [*gap, v, a], limit - now);
+            if let Some(span) = gap.filter(near).and_then(|gap| root::plane(gap, v, a)) {
                 keep_sooner(&mut first, span, CellFace { axis, up }, true);
             }
         }

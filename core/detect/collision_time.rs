@@ -89,20 +89,25 @@ fn overlap<S: Scalar, const D: usize>(r: &Vector<S, D>, v: &Vector<S, D>, sigma:
 }
 
 /// At what time a body that nothing supports touches a plane that stands, or goes on steadily; from its own clock on.
+/// Where that is visibly after a limit it may say nothing.
 #[inline]
 pub(super) fn free_body_and_wall<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
     me: &Body<S, D>,
-    wall: &Plane<S, D>,
+    (wall, limit): (&Plane<S, D>, S),
 ) -> Option<S> {
     let n = &wall.normal;
     let mut gap = wall.mean_gap(&me.position, me.radius);
-    let mut speed = dot(n, &me.velocity);
-    if let Some(drift) = wall.drift {
+    let [mut v, a] = [&me.velocity, domain.gravity()].map(|x| dot(n, x));
+    if let Some(drift) = wall.drift() {
         gap -= drift.at(me.clock).place;
-        speed -= drift.speed;
+        v -= drift.speed;
     }
-    Some(me.clock + root::plane(gap, speed, dot(n, domain.gravity()))?)
+    let margin = me.radius * S::from_f32(1.0 / 256.0);
+    if root::stays_above(margin, [gap, v, a], limit - me.clock) {
+        return None;
+    }
+    Some(me.clock + root::plane(gap, v, a)?)
 }
 
 /// How long after `start` a body, as it is then, touches a plane that does not support it.
@@ -116,7 +121,7 @@ pub(super) fn body_and_plane<S: Scalar, const D: usize>(
     let mean = plane.mean_gap(&me.position, me.radius);
     let (v, a) = (dot(n, &me.velocity), dot(n, &flight::acceleration(me, domain)));
     let bracketed = |from| bracketed_from(domain, start, me, (plane, from, limit));
-    let Some(vibration) = plane.vibration else {
+    let Some(vibration) = plane.vibration() else {
         let motion = plane.motion(start);
         return match peak_acceleration_along(domain, me, n) > S::zero() {
             false => root::plane(mean - motion.place, v - motion.speed, a)
@@ -143,7 +148,7 @@ fn bracketed_from<S: Scalar, const D: usize>(
     (plane, from, limit): (&Plane<S, D>, S, S),
 ) -> Found<S> {
     let a = dot(&plane.normal, &flight::acceleration(me, domain)).abs();
-    let shaking = plane.vibration.map_or(S::zero(), |v| v.peak_acceleration())
+    let shaking = plane.vibration().map_or(S::zero(), |v| v.peak_acceleration())
         + peak_acceleration_along(domain, me, &plane.normal);
     let bound = (a + shaking).max(S::negligible_acceleration(me.radius));
     let found = Search::new([bound; 2], me.radius, limit - from).first(|t| {

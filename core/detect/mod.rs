@@ -4,10 +4,16 @@ mod approach;
 pub mod bracketed_root;
 mod cell_crossing;
 mod collision_time;
+#[cfg(any(test, not(feature = "alloc")))]
+mod horizon;
+#[cfg(feature = "alloc")]
 mod look;
+#[cfg(not(feature = "alloc"))]
+mod look_in_turn;
 mod number_range;
 mod plate_acceleration;
 mod predictor;
+#[cfg(feature = "alloc")]
 mod prefilter;
 pub mod root;
 mod scheduled_event;

@@ -9,7 +9,7 @@ pub(super) fn peak_acceleration<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
     me: &Body<S, D>,
 ) -> S {
-    let vibrations = flight::carrying_plates(me, domain).filter_map(|plate| plate.vibration);
+    let vibrations = flight::carrying_plates(me, domain).filter_map(|plate| plate.vibration());
     vibrations.fold(S::zero(), |sum, v| sum + v.peak_acceleration())
 }
 
@@ -20,7 +20,7 @@ pub(super) fn peak_acceleration_along<S: Scalar, const D: usize>(
     n: &Vector<S, D>,
 ) -> S {
     flight::carrying_plates(me, domain).fold(S::zero(), |sum, plate| {
-        let peak = plate.vibration.map_or(S::zero(), |v| v.peak_acceleration());
+        let peak = plate.vibration().map_or(S::zero(), |v| v.peak_acceleration());
         sum + peak * dot(&plate.normal, n).abs()
     })
 }

@@ -6,7 +6,7 @@ use super::scheduled_event::{EventKind, ScheduledEvent};
 use super::{cell_crossing, collision_time, root, take_off};
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector};
-use crate::space::{CellFace, Domain, Particles, flight};
+use crate::space::{CellFace, Domain, NeighbourBatch, Particles, Plane, flight};
 
 /// The earliest event of this grain.
 ///
@@ -18,14 +18,7 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
     now: S,
     grain: usize,
 ) -> ScheduledEvent<S> {
-    let Some(predictor) = Predictor::new(particles, domain, now, grain) else {
-        return ScheduledEvent::NONE;
-    };
-    let mut first = ScheduledEvent::NONE;
-    let (from, filler) = ((&predictor.at, predictor.me.radius), predictor.filler());
-    particles.cells.batches(from, filler, &mut |batch| predictor.batch(&mut first, batch));
-    predictor.planes(&mut first);
-    predictor.earliest(first)
+    predict(particles, domain, now, (grain, None))
 }
 
 /// The earliest event of a grain that has just crossed into a cell: its collision is kept, and only the
@@ -36,20 +29,39 @@ pub(crate) fn next_event_after_crossing<S: Scalar, const D: usize>(
     now: S,
     (grain, crossing): (usize, ScheduledEvent<S>),
 ) -> ScheduledEvent<S> {
-    if particles.supported > 0 || crossing.face == ScheduledEvent::<S>::NO_FACE {
-        return next_event(particles, domain, now, grain);
-    }
+    let is_new = particles.supported > 0 || crossing.face == ScheduledEvent::<S>::NO_FACE;
+    predict(particles, domain, now, (grain, if is_new { None } else { Some(&crossing) }))
+}
+
+/// The same for a grain that has just crossed into a cell, or else.
+// With one caller for each way a function for each is faster; and smaller it is as one.
+#[cfg_attr(feature = "alloc", inline(always))]
+#[cfg_attr(not(feature = "alloc"), inline(never))]
+fn predict<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    now: S,
+    (grain, crossing): (usize, Option<&ScheduledEvent<S>>),
+) -> ScheduledEvent<S> {
     let Some(predictor) = Predictor::new(particles, domain, now, grain) else {
         return ScheduledEvent::NONE;
     };
-    let face = CellFace::from_code(crossing.face);
-    let mut first = crossing.only_collision();
     let (from, filler) = ((&predictor.at, predictor.me.radius), predictor.filler());
-    particles.cells.ahead(from, face, filler, &mut |batch| predictor.batch(&mut first, batch));
-    if domain.boundary.planes().iter().any(|plane| plane.vibration.is_some()) {
-        // The search for a plate goes no further than to the next cell.
-        predictor.planes(&mut first);
+    let mut first = crossing.map_or(ScheduledEvent::NONE, |event| event.only_collision());
+    match crossing {
+        Some(crossing) => {
+            let face = CellFace::from_code(crossing.face);
+            let visit = &mut |batch: &NeighbourBatch| predictor.batch(&mut first, batch);
+            particles.cells.ahead(from, face, filler, visit);
+        }
+        None => {
+            // Walls first: who cannot be met before the earliest collision known need not be looked at closely.
+            predictor.walls(&mut first);
+            let visit = &mut |batch: &NeighbourBatch| predictor.batch(&mut first, batch);
+            particles.cells.batches(from, filler, visit);
+        }
     }
+    predictor.plates(&mut first);
     predictor.earliest(first)
 }
 
@@ -67,14 +79,17 @@ pub(super) struct Predictor<'a, S: Scalar, const D: usize> {
     pub here: Vector<S, D>,
     pub velocity: Vector<S, D>,
     /// What it does by itself.
-    own: ScheduledEvent<S>,
-    /// When it gets out of reach of the neighbours.
-    out_of_reach: ScheduledEvent<S>,
+    pub own: ScheduledEvent<S>,
+    /// When it gets out of reach of the neighbours, if that must be known before they are looked at.
+    out_of_reach: Option<ScheduledEvent<S>>,
 }
 
+/// Whether a grain that flies is asked last when it leaves its cell: only if nothing happens before. A processor that
+/// guesses branches gains nothing by that.
+const CELL_LAST: bool = !cfg!(feature = "alloc");
+
 impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
-    #[cfg_attr(feature = "alloc", inline(always))]
-    #[cfg_attr(not(feature = "alloc"), inline)]
+    #[inline(always)]
     fn new(
         particles: &'a Particles<'_, S, D>,
         domain: &'a Domain<'_, S, D>,
@@ -84,15 +99,30 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
         let me = particles.body(grain)?;
         let (here, velocity) = flight::free(me, domain, now);
         let at = particles.cells.coordinates(me.cell);
-        let free = [&here, &velocity];
-        let out_of_reach = cell_crossing::out_of_reach(particles, domain, now, me, (&at, free));
         let own = own_event(domain, now, me);
-        Some(Self { particles, domain, now, grain, me, at, here, velocity, own, out_of_reach })
+        let out_of_reach = None;
+        let mut predictor =
+            Self { particles, domain, now, grain, me, at, here, velocity, own, out_of_reach };
+        // Searches go no further than to the next cell.
+        if !(CELL_LAST && particles.supported == 0 && domain.is_still()) {
+            predictor.out_of_reach = Some(predictor.out_of_reach(S::NEVER));
+        }
+        Some(predictor)
+    }
+
+    /// When it gets out of reach of its neighbours; where that is after a limit it may say nothing.
+    #[cfg_attr(feature = "alloc", inline(always))]
+    #[cfg_attr(not(feature = "alloc"), inline(never))]
+    fn out_of_reach(&self, limit: S) -> ScheduledEvent<S> {
+        let of = (&self.at, [&self.here, &self.velocity]);
+        let times = (self.now, limit);
+        cell_crossing::out_of_reach(self.particles, self.domain, times, self.me, of)
     }
 
     /// Until when a search needs to look.
     fn limit(&self, first: &ScheduledEvent<S>) -> S {
-        self.own.time.min(self.out_of_reach.time).min(first.collision_time)
+        let cell = self.out_of_reach.map_or(S::NEVER, |event| event.time);
+        self.own.time.min(cell).min(first.collision_time)
     }
 
     /// The grain itself: what a batch is filled up with.
@@ -169,32 +199,52 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
         }
     }
 
-    /// Takes the collisions with planes into account.
+    /// Takes the collisions with planes that do not move into account, if nothing supports the grain.
     #[inline]
-    fn planes(&self, first: &mut ScheduledEvent<S>) {
-        let me = self.me;
-        for (p, plane) in self.domain.boundary.planes().iter().enumerate() {
-            if me.partner == Partner::plane(p) || me.rests_on(p) {
+    fn walls(&self, first: &mut ScheduledEvent<S>) {
+        if self.me.is_supported() {
+            return;
+        }
+        let from = self.now.max(self.me.uninterruptible_until());
+        for (p, wall) in self.domain.boundary.planes().iter().enumerate() {
+            if wall.vibration().is_some() || self.me.partner == Partner::plane(p) {
                 continue;
             }
-            let from = me.uninterruptible_until();
-            if me.is_supported() || plane.vibration.is_some() {
-                let limit = self.limit(first);
-                let look = |start: S| {
-                    let body = self.at(me, start);
-                    collision_time::body_and_plane(
-                        self.domain,
-                        start,
-                        &body,
-                        (plane, limit - start),
-                    )
-                };
-                let found = self.search(me.clock, look);
-                self.found(first, found, from, Partner::plane(p));
-            } else if let Some(time) = collision_time::free_body_and_wall(self.domain, me, plane) {
-                self.keep_earlier(first, time.max(self.now).max(from), Partner::plane(p), 0);
+            let limit = (wall, self.own.time.min(first.collision_time));
+            if let Some(time) = collision_time::free_body_and_wall(self.domain, self.me, limit) {
+                self.keep_earlier(first, time.max(from), Partner::plane(p), 0);
             }
         }
+    }
+
+    /// Takes the collisions with vibrating planes into account, or with all if something supports the grain.
+    #[inline]
+    fn plates(&self, first: &mut ScheduledEvent<S>) {
+        let supported = self.me.is_supported();
+        if self.domain.is_still() && !supported {
+            return;
+        }
+        for (p, plane) in self.domain.boundary.planes().iter().enumerate() {
+            if supported || plane.vibration().is_some() {
+                self.plate(first, (p, plane));
+            }
+        }
+    }
+
+    /// The same with one of them.
+    #[inline(never)]
+    fn plate(&self, first: &mut ScheduledEvent<S>, (p, plane): (usize, &Plane<S, D>)) {
+        let me = self.me;
+        if me.partner == Partner::plane(p) || me.rests_on(p) {
+            return;
+        }
+        let limit = self.limit(first);
+        let look = |start: S| {
+            let body = self.at(me, start);
+            collision_time::body_and_plane(self.domain, start, &body, (plane, limit - start))
+        };
+        let found = self.search(me.clock, look);
+        self.found(first, found, me.uninterruptible_until(), Partner::plane(p));
     }
 
     /// Takes what a search found into account: not before `from`, and a recheck where it paused.
@@ -254,8 +304,9 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
         if self.own.time <= first.time && self.own.kind != EventKind::Nothing {
             first = self.own;
         }
-        if self.out_of_reach.time < first.time && self.out_of_reach.time <= S::LAST {
-            let ScheduledEvent { time, kind, face, .. } = self.out_of_reach;
+        let out_of_reach = self.out_of_reach.unwrap_or_else(|| self.out_of_reach(first.time));
+        if out_of_reach.time < first.time && out_of_reach.time <= S::LAST {
+            let ScheduledEvent { time, kind, face, .. } = out_of_reach;
             first = ScheduledEvent { time, kind, face, ..collision };
         }
         first

@@ -48,6 +48,14 @@ pub fn plane<S: Scalar>(gap: S, v: S, a: S) -> Option<S> {
     found.filter(|span| span.is_finite())
 }
 
+/// Whether gap + v t + a t²/2 stays above a margin up to a time: [`plane`] finds nothing before that.
+#[inline(always)]
+pub fn stays_above<S: Scalar>(margin: S, [gap, v, a]: [S; 3], within: S) -> bool {
+    let zero = S::zero();
+    // What was not computed with numbers, as a time without end, says nothing.
+    gap + (v.min(zero) + a.min(zero) * S::half() * within) * within > margin
+}
+
 /// The last time at which gap + v t − b t²/2 ≥ 0 for b > 0, or the peak if there is none; never negative.
 fn falling<S: Scalar>(gap: S, v: S, b: S) -> S {
     let peak = (v / b).max(S::zero());
@@ -131,6 +139,26 @@ mod tests {
         // Gravity away from the plane: v² = 2 a gap.
         assert_eq!(plane(0.5, -1.0, 1.0), None);
         assert!(plane(0.5, -1.001, 1.0).is_some());
+    }
+
+    #[test]
+    fn what_stays_above_has_no_event() {
+        assert!(
+            stays_above(0.0, [1.0, 0.0, -10.0], 0.44) && !stays_above(0.0, [1.0, 0.0, -10.0], 0.45)
+        );
+        assert!(!stays_above(0.0, [1.0, 0.0, -10.0], f64::MAX));
+        assert!(!stays_above(0.0, [0.0, 1.0, 1.0], 1.0));
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn nobody_is_said_to_stay_above_who_does_not(
+            gap in 0.0..3.0_f64, v in -3.0..3.0_f64, a in -3.0..3.0_f64,
+        ) {
+            if let Some(span) = plane(gap, v, a) {
+                proptest::prop_assert!(!stays_above(1e-9, [gap, v, a], span));
+            }
+        }
     }
 
     #[test]

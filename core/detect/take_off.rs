@@ -25,7 +25,7 @@ fn falls_away<S: Scalar, const D: usize>(
     start: S,
     plate: &Plane<S, D>,
 ) -> Found<S> {
-    let Some(vibration) = plate.vibration else { return Found::Nothing };
+    let Some(vibration) = plate.vibration() else { return Found::Nothing };
     let falls = dot(&plate.normal, domain.gravity());
     let (omega, peak) = (vibration.angular_frequency(), vibration.peak_acceleration());
     if plate.motion(start).acceleration < falls {

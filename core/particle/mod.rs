@@ -2,8 +2,10 @@
 
 mod body;
 mod grain;
+mod index;
 mod partner;
 
 pub use body::Body;
 pub use grain::Grain;
+pub use index::Index;
 pub use partner::Partner;

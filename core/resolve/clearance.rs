@@ -13,10 +13,10 @@ pub(super) fn is_free<S: Scalar, const D: usize>(
 ) -> bool {
     let me = particles.present(grain, domain, now);
     let inside = domain.boundary.wrap(position);
-    let cell = particles.cells.grid.as_ref().map_or(0, |grid| grid.locate(&inside));
+    let radii = [me.radius, particles.largest_radius];
     is_free_of_planes(domain, now, &me, (position, except)) && {
         let mut free = true;
-        particles.cells.for_each_near(cell, me.radius, |k| {
+        particles.cells.for_each_touching(&inside, radii, |k| {
             let other = particles.body(k).filter(|_| k != grain && Partner::grain(k) != except);
             free &= other.is_none_or(|other| is_free_of(domain, now, &me, (position, other)));
         });
@@ -31,7 +31,7 @@ fn is_free_of<S: Scalar, const D: usize>(
     me: &Body<S, D>,
     (position, other): (Vector<S, D>, &Body<S, D>),
 ) -> bool {
-    let there = flight::at(other, domain, now).position;
+    let there = place_of(domain, now, other);
     let reach = me.radius + other.radius;
     let then = domain.boundary.nearest(position - there);
     if S::dot(&then, &then) >= reach.times(reach) {
@@ -39,6 +39,19 @@ fn is_free_of<S: Scalar, const D: usize>(
     }
     let before = domain.boundary.nearest(me.position - there);
     S::dot(&then, &then) >= S::dot(&before, &before)
+}
+
+/// Where a body is: most fly freely, and of those nothing else is needed.
+#[inline]
+fn place_of<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    now: S,
+    body: &Body<S, D>,
+) -> Vector<S, D> {
+    if body.is_supported() {
+        return flight::at(body, domain, now).position;
+    }
+    flight::free(body, domain, now).0
 }
 
 fn is_free_of_planes<S: Scalar, const D: usize>(

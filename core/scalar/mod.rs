@@ -23,6 +23,7 @@ pub use carom_tables::read::Real;
 pub(crate) use clock::Clock;
 pub use instant::{Instant, TimeSpan};
 pub use into_instant::IntoInstant;
+#[cfg(feature = "alloc")]
 pub(crate) use lanes::{LANES, Lanes};
 pub use traits::{
     Comparison, Elementary, Products, Range, Rounding, Scalar, Timekeeping, Vector, WideProduct,

@@ -9,6 +9,7 @@ use super::calendar::Calendar;
 use super::no_calendar::Calendar;
 use super::tournament::{Tournament, WINNER};
 use crate::detect::ScheduledEvent;
+use crate::particle::Index;
 use crate::scalar::Scalar;
 
 /// Of so many events at one instant the calendar can tell the order.
@@ -28,7 +29,7 @@ impl<'m, S: Scalar> EventQueue<'m, S> {
     /// A queue for as many grains as there are events; the tree has the same length.
     pub(crate) fn new(
         events: &'m mut [ScheduledEvent<S>],
-        tree: &'m mut [u32],
+        tree: &'m mut [Index],
         rings: &'m mut [[u32; 2]],
     ) -> Self {
         let calendar = Calendar::new(rings, events.len());
@@ -153,7 +154,7 @@ mod tests {
 
     fn firsts(times: &[f64]) -> Vec<usize> {
         let mut events = [ScheduledEvent::NONE; 9];
-        let mut tree = [0_u32; 9];
+        let mut tree = [Index::ZERO; 9];
         let n = times.len();
         let mut queue = EventQueue::new(&mut events[..n], &mut tree[..n], &mut []);
         for (i, &t) in times.iter().enumerate() {
@@ -208,7 +209,7 @@ mod tests {
             slower in proptest::bool::ANY,
         ) {
             let mut events = [[ScheduledEvent::NONE; GRAINS]; 2];
-            let (mut trees, mut rings) = ([[0; GRAINS]; 2], [[0; 2]; RINGS]);
+            let (mut trees, mut rings) = ([[Index::ZERO; GRAINS]; 2], [[0; 2]; RINGS]);
             let [a, b] = &mut events;
             let [s, t] = &mut trees;
             let mut tree = EventQueue::new(&mut a[..count], &mut s[..count], &mut []);

@@ -1,6 +1,7 @@
 //! Who is next where there are few grains, or many events at one instant? A tournament over the events of all; reads events, writes the tree.
 
 use crate::detect::ScheduledEvent;
+use crate::particle::Index;
 use crate::scalar::Scalar;
 
 /// The tree over the events of all grains. Node n has the children 2n and 2n + 1; leaf i is node N + i.
@@ -8,15 +9,18 @@ use crate::scalar::Scalar;
 /// A node's word is the winner's number and, in the two highest bits, how many leaves below it are as
 /// early as the winner: 0 for one, 1 for two, 2 for more.
 pub(super) struct Tournament<'m> {
-    tree: &'m mut [u32],
+    tree: &'m mut [Index],
 }
 
 /// The bits of a winner's number.
-pub(super) const WINNER: u32 = (1 << 30) - 1;
+pub(super) const WINNER: u32 = (1 << COUNT) - 1;
+
+/// The first bit of the count above it.
+const COUNT: u32 = Index::BITS - 2;
 
 impl<'m> Tournament<'m> {
     /// A tree with as many words as there are events; the matches are yet to be played.
-    pub fn new(tree: &'m mut [u32]) -> Self {
+    pub fn new(tree: &'m mut [Index]) -> Self {
         Self { tree }
     }
 
@@ -27,7 +31,7 @@ impl<'m> Tournament<'m> {
 
     /// How many events are as early as the first, the first included; 3 stands for any more.
     pub fn simultaneous(&self) -> u32 {
-        (self.word(1) >> 30) + 1
+        (self.word(1) >> COUNT) + 1
     }
 
     /// Visits the grains whose events are at this time, the earliest of all, until a visit says it is enough.
@@ -75,7 +79,7 @@ impl<'m> Tournament<'m> {
                 (word, time_of(events, winner(word)))
             });
             if let Some(place) = self.tree.get_mut(node) {
-                *place = play(left, right).0;
+                *place = Index::new(play(left, right).0);
             }
         }
     }
@@ -91,10 +95,10 @@ impl<'m> Tournament<'m> {
             node /= 2;
             mine = play(mine, other);
             let Some(place) = self.tree.get_mut(node) else { return };
-            if mine.0 == *place && winner(mine.0) != grain {
+            if mine.0 == place.get() && winner(mine.0) != grain {
                 return;
             }
-            *place = mine.0;
+            *place = Index::new(mine.0);
         }
     }
 
@@ -105,7 +109,7 @@ impl<'m> Tournament<'m> {
         if node >= leaves {
             (node - leaves) as u32
         } else {
-            self.tree.get(node).copied().unwrap_or(0)
+            self.tree.get(node).map_or(0, |word| word.get())
         }
     }
 }
@@ -123,8 +127,8 @@ fn time_of<S: Scalar>(events: &[ScheduledEvent<S>], grain: usize) -> S {
 #[inline]
 fn play<S: Scalar>(left: (u32, S), right: (u32, S)) -> (u32, S) {
     if left.1 == right.1 {
-        let more = ((left.0 >> 30) + (right.0 >> 30) + 1).min(2);
-        return ((left.0 & WINNER).min(right.0 & WINNER) | more << 30, left.1);
+        let more = ((left.0 >> COUNT) + (right.0 >> COUNT) + 1).min(2);
+        return ((left.0 & WINNER).min(right.0 & WINNER) | more << COUNT, left.1);
     }
     if right.1 < left.1 { right } else { left }
 }

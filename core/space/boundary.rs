@@ -1,7 +1,9 @@
 //! Where does space end? Periodic axes and planes; reads positions, writes wrapped ones.
 
 use super::plane::Plane;
-use crate::scalar::{Instant, Scalar, Vector, component};
+#[cfg(feature = "alloc")]
+use crate::scalar::component;
+use crate::scalar::{Instant, Scalar, Vector};
 
 /// How many planes a world can have, if its memory has place for them.
 pub const MAX_PLANES: usize = 8;
@@ -30,6 +32,8 @@ pub struct Boundary<'m, S: Scalar, const D: usize> {
     planes: &'m mut [Plane<S, D>],
     /// How many of them are taken.
     count: u8,
+    /// Whether an axis is periodic.
+    is_periodic: bool,
 }
 
 /// The boundaries as a snapshot keeps them.
@@ -45,13 +49,13 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
     /// Open space, with places for planes.
     pub(crate) fn open(planes: &'m mut [Plane<S, D>]) -> Self {
         let zero = Vector::zeros();
-        Self { low: zero, length: zero, lattice: zero, planes, count: 0 }
+        Self { low: zero, length: zero, lattice: zero, planes, count: 0, is_periodic: false }
     }
 
     /// The same boundaries, lent for a while.
     pub(crate) fn lent(&mut self) -> Boundary<'_, S, D> {
-        let Self { low, length, lattice, ref mut planes, count } = *self;
-        Boundary { low, length, lattice, planes, count }
+        let Self { low, length, lattice, ref mut planes, count, is_periodic } = *self;
+        Boundary { low, length, lattice, planes, count, is_periodic }
     }
 
     /// How many planes there can be.
@@ -71,6 +75,7 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
     /// Takes over those of a snapshot; false if there is no place for a plane.
     pub(crate) fn restore(&mut self, saved: &SavedBoundary<S, D>) -> bool {
         (self.low, self.length, self.count) = (saved.low, saved.length, 0);
+        self.is_periodic = self.length.iter().any(|&length| length != S::zero());
         saved.planes.iter().all(|&plane| self.add_plane(plane))
     }
 
@@ -93,6 +98,7 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
                 *x = value;
             }
         }
+        self.is_periodic = self.length.iter().any(|&length| length != S::zero());
     }
 
     /// Adds a plane; false if there is no place for it.
@@ -139,9 +145,10 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
         self.planes.get(..self.count.into()).unwrap_or_default()
     }
 
-    /// Whether no axis is periodic.
+    /// Whether no axis is periodic: kept, so that nobody need look.
+    #[inline]
     pub(crate) fn is_open(&self) -> bool {
-        self.length.iter().all(|&length| length == S::zero())
+        !self.is_periodic
     }
 
     /// The periodic axes and their numbers.
@@ -156,6 +163,11 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
     #[must_use]
     #[inline]
     pub fn nearest(&self, separation: Vector<S, D>) -> Vector<S, D> {
+        // Where branches cost nothing.
+        #[cfg(not(feature = "alloc"))]
+        if self.is_open() {
+            return separation;
+        }
         separation.zip_map(&self.length, |x, length| {
             let half = length * S::half();
             let over = if x > half { length } else { S::zero() };
@@ -164,6 +176,7 @@ impl<'m, S: Scalar, const D: usize> Boundary<'m, S, D> {
     }
 
     /// How long a periodic axis is; zero for the others.
+    #[cfg(feature = "alloc")]
     #[inline]
     pub(crate) fn periodic_length(&self, axis: usize) -> S {
         component(&self.length, axis)

@@ -3,20 +3,29 @@
 use super::boundary::Boundary;
 use super::grid::{Grid, GridAxis, MAX_AXES, NOWHERE};
 use crate::particle::Body;
+#[cfg(not(feature = "alloc"))]
+use crate::scalar::Real;
 use crate::scalar::Scalar;
 
+/// In what widths are computed. `f64` in software takes 5 KB of flash, and nothing else here needs it; a last place
+/// in the width of cells decides nothing.
+#[cfg(feature = "alloc")]
+pub(super) type Width = f64;
+#[cfg(not(feature = "alloc"))]
+pub(super) type Width = f32;
+
 /// The width of a cell, if grains are far from each other, in units of the space a grain has: measured.
-const CELL_WIDTH: f64 = 0.8;
+const CELL_WIDTH: Width = 0.8;
 
 /// Cells are wider by this than grains can see: a grain that rounding puts beside its cell is seen, too.
-pub(super) const SLACK: f64 = 1.001;
+pub(super) const SLACK: Width = 1.001;
 
 /// The grid with at least half a grain a cell, cells no narrower than `reach`, at most `most` of them;
 /// none if that leaves fewer than four along a periodic axis.
 pub(super) fn choose<S: Scalar, const D: usize>(
     boundary: &Boundary<'_, S, D>,
     bodies: &[Body<S, D>],
-    reach: f64,
+    reach: Width,
     most: usize,
 ) -> Option<Grid<S, D>> {
     let sides = sides(boundary, bodies);
@@ -32,17 +41,40 @@ pub(super) fn sides<S: Scalar, const D: usize>(
     core::array::from_fn(|axis| extent(boundary, bodies, axis))
 }
 
+/// The nearest width.
+#[inline]
+#[cfg_attr(feature = "alloc", expect(clippy::unnecessary_cast, reason = "it is `f64` here"))]
+pub(super) fn width_of<S: Scalar>(x: S) -> Width {
+    x.to_f64() as Width
+}
+
 /// The width of cells for so many grains that are points.
-pub(super) fn dense_width<S: Scalar, const D: usize>(sides: &[[S; 2]; D], grains: usize) -> f64 {
-    let volume: f64 = sides.iter().map(|[low, high]| (*high - *low).to_f64()).product();
-    CELL_WIDTH * libm::pow(volume / grains.max(1) as f64, 1.0 / D as f64)
+pub(super) fn dense_width<S: Scalar, const D: usize>(sides: &[[S; 2]; D], grains: usize) -> Width {
+    let volume: Width = sides.iter().map(|[low, high]| width_of(*high - *low)).product();
+    CELL_WIDTH * side_of::<D>(volume / grains.max(1) as Width)
+}
+
+/// The side of a cube, a square or a line of this volume.
+#[cfg(feature = "alloc")]
+fn side_of<const D: usize>(volume: Width) -> Width {
+    libm::pow(volume, 1.0 / D as f64)
+}
+
+/// The same; for more than three axes there are no cells.
+#[cfg(not(feature = "alloc"))]
+fn side_of<const D: usize>(volume: Width) -> Width {
+    match D {
+        1 => volume,
+        2 => Real::sqrt(volume),
+        _ => Real::cbrt(volume),
+    }
 }
 
 /// The grid whose cells have this width at least, at most `most` of them.
 pub(super) fn with_width<S: Scalar, const D: usize>(
     boundary: &Boundary<'_, S, D>,
     sides: &[[S; 2]; D],
-    mut width: f64,
+    mut width: Width,
     most: usize,
 ) -> Option<Grid<S, D>> {
     if !(width > 0.0 && width.is_finite()) || D > MAX_AXES {
@@ -55,11 +87,11 @@ pub(super) fn with_width<S: Scalar, const D: usize>(
             along(side, boundary.periodic(axis).map(|p| p.length), width)
         };
         let axes: [GridAxis<S>; D] = core::array::from_fn(along);
-        let cells: f64 = axes.iter().map(|l| f64::from(l.count)).product();
+        let cells: Width = axes.iter().map(|l| l.count as Width).product();
         if axes.iter().any(|along| along.periodic && along.count < 4) {
             return None;
         }
-        if cells <= most.min(NOWHERE as usize) as f64 {
+        if cells <= most.min(NOWHERE as usize) as Width {
             return (cells >= 8.0).then(|| Grid::new(axes));
         }
         width *= 1.125;
@@ -86,13 +118,12 @@ fn extent<S: Scalar, const D: usize>(
     boundary.between_planes(axis, [low, high])
 }
 
-fn along<S: Scalar>([low, high]: [S; 2], periodic: Option<S>, width: f64) -> GridAxis<S> {
-    let length = periodic.unwrap_or(high - low).to_f64();
-    let count = ((length / width) as u32).clamp(1, 1 << 20);
-    let width = S::from_f64(length / f64::from(count));
+fn along<S: Scalar>([low, high]: [S; 2], periodic: Option<S>, width: Width) -> GridAxis<S> {
+    let length = periodic.unwrap_or(high - low);
+    let count = ((width_of(length) / width) as u32).clamp(1, 1 << 20);
     GridAxis {
         low,
-        width,
+        width: length / S::from_count(count),
         count,
         periodic: periodic.is_some(),
         length: periodic.unwrap_or(S::zero()),

@@ -10,12 +10,14 @@ pub(crate) struct Domain<'m, S: Scalar, const D: usize> {
     pub boundary: Boundary<'m, S, D>,
     gravity: Vector<S, D>,
     weightless: bool,
+    still: bool,
 }
 
 impl<'m, S: Scalar, const D: usize> Domain<'m, S, D> {
     /// These boundaries under this gravity.
     pub fn new(boundary: Boundary<'m, S, D>, gravity: Vector<S, D>) -> Self {
-        let mut domain = Self { boundary, gravity, weightless: true };
+        let still = boundary.planes().iter().all(|plane| !plane.moves());
+        let mut domain = Self { boundary, gravity, weightless: true, still };
         domain.set_gravity(gravity);
         domain
     }
@@ -32,9 +34,10 @@ impl<'m, S: Scalar, const D: usize> Domain<'m, S, D> {
         self.weightless
     }
 
-    /// Whether no plane moves.
+    /// Whether no plane moves: kept, too.
+    #[inline]
     pub fn is_still(&self) -> bool {
-        self.boundary.planes().iter().all(|plane| !plane.moves())
+        self.still
     }
 
     /// From now on this gravity acts.

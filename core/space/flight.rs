@@ -27,7 +27,7 @@ pub fn acceleration<S: Scalar, const D: usize>(
                 continue;
             }
             let pushed = dot(&plane.normal, &left);
-            let takes = if plane.vibration.is_some() { pushed } else { pushed.min(*taken) };
+            let takes = if plane.vibration().is_some() { pushed } else { pushed.min(*taken) };
             left -= plane.normal * takes;
             *taken -= takes;
         }

@@ -157,6 +157,22 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         CellBlock { steps, same_image }
     }
 
+    /// Of the cells around one those that are nearer to a position in it than a reach along each axis.
+    #[cfg(not(feature = "alloc"))]
+    #[inline]
+    pub(super) fn touching(&self, at: &[u32; D], position: &Vector<S, D>, reach: S) -> CellBlock {
+        let mut around = self.around(at);
+        for (axis, (steps, &x)) in around.steps.iter_mut().zip(position.iter()).enumerate() {
+            let [below, _, above] = steps;
+            for (gap, step) in self.faces(at, axis, x).into_iter().zip([below, above]) {
+                if gap.is_some_and(|gap| gap > reach) {
+                    *step = NOWHERE;
+                }
+            }
+        }
+        around
+    }
+
     /// Of the cells around one those that a crossing of this face into it has brought near.
     #[inline]
     pub(super) fn ahead(&self, at: &[u32; D], face: CellFace) -> CellBlock {
@@ -181,6 +197,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
 
     /// The distances from a position to the lower and upper face of its cell along an axis; none where
     /// the cell reaches to infinity.
+    #[inline]
     pub(crate) fn faces(&self, at: &[u32; D], axis: usize, x: S) -> [Option<S>; 2] {
         let (Some(&c), Some(along)) = (at.get(axis), self.axes.as_slice().get(axis)) else {
             return [None, None];

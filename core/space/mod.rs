@@ -7,11 +7,14 @@ mod choose_grid;
 mod choose_levels;
 mod domain;
 pub(crate) mod flight;
+#[cfg(feature = "alloc")]
+mod gather;
 mod grid;
 #[cfg(feature = "alloc")]
 mod levels;
 #[cfg(feature = "alloc")]
 mod look_in_levels;
+#[cfg(feature = "alloc")]
 mod neighbours;
 #[cfg(not(feature = "alloc"))]
 mod one_level;
@@ -19,6 +22,8 @@ mod particles;
 mod plane;
 mod plane_motion;
 mod sight;
+#[cfg(not(feature = "alloc"))]
+mod walk;
 
 pub use boundary::{Boundary, MAX_PLANES, PeriodicAxis};
 pub use cells::Link;
@@ -31,8 +36,11 @@ pub(crate) use cells::Cells;
 pub(crate) use choose_levels::choose_cells;
 pub(crate) use domain::Domain;
 pub(crate) use grid::{CellFace, Grid};
+#[cfg(feature = "alloc")]
 pub(crate) use neighbours::{BATCH, NeighbourBatch};
 #[cfg(not(feature = "alloc"))]
 pub(crate) use one_level::choose_cells;
 pub(crate) use particles::{Particles, largest_radius};
 pub(crate) use sight::{Sight, crowd_gap};
+#[cfg(not(feature = "alloc"))]
+pub(crate) use walk::NeighbourBatch;

@@ -52,6 +52,12 @@ impl NeighbourBatch {
         self.grains.get(..self.count).unwrap_or_default()
     }
 
+    /// Visits the grains.
+    #[inline]
+    pub fn for_each(&self, visit: impl FnMut(u32)) {
+        self.all().iter().copied().for_each(visit);
+    }
+
     /// The grains, as many at a time as are computed with side by side; at the end the filler.
     #[inline]
     pub fn groups(&self) -> impl Iterator<Item = &[u32; LANES]> {

@@ -50,6 +50,6 @@ pub(crate) fn choose_cells<S: Scalar, const D: usize>(
     most: usize,
 ) -> (Option<Grid<S, D>>, Levels<D>) {
     let largest = bodies.iter().fold(S::zero(), |largest, body| largest.max(body.radius));
-    let reach = sight.of_equal(largest).to_f64();
+    let reach = choose_grid::width_of(sight.of_equal(largest));
     (choose_grid::choose(boundary, bodies, reach, most), Levels)
 }

@@ -94,19 +94,34 @@ impl<S: Scalar, const D: usize> Plane<S, D> {
         Self { drift: Some(drift), vibration: None, ..self }
     }
 
+    /// How it vibrates, if it does. Without the feature `plates` a compiler sees that none does.
+    #[inline(always)]
+    pub(crate) fn vibration(&self) -> Option<Vibration<S>> {
+        if cfg!(feature = "plates") { self.vibration } else { None }
+    }
+
+    /// How it goes on steadily, if it does.
+    #[inline(always)]
+    pub(crate) fn drift(&self) -> Option<Drift<S>> {
+        if cfg!(feature = "plates") { self.drift } else { None }
+    }
+
     /// Whether it moves.
     pub(crate) fn moves(&self) -> bool {
-        self.vibration.is_some() || self.drift.is_some()
+        self.vibration().is_some() || self.drift().is_some()
     }
 
     /// It never moves faster than this.
     pub(crate) fn peak_speed(&self) -> S {
-        let drift = self.drift.map_or(S::zero(), |drift| drift.speed.abs());
-        self.vibration.map_or(drift, |vibration| vibration.peak_speed())
+        let drift = self.drift().map_or(S::zero(), |drift| drift.speed.abs());
+        self.vibration().map_or(drift, |vibration| vibration.peak_speed())
     }
 
     /// From now on clocks count from this epoch.
     pub(super) fn set_epoch(&mut self, epoch: Instant) {
+        if !cfg!(feature = "plates") {
+            return;
+        }
         if let Some(vibration) = &mut self.vibration {
             vibration.set_epoch(epoch);
         }
@@ -139,7 +154,7 @@ impl<S: Scalar, const D: usize> Plane<S, D> {
     /// Where it is now along its normal, about its offset; a plane at rest does not move.
     pub(crate) fn motion(&self, now: S) -> PlaneMotion<S> {
         let still = PlaneMotion { place: S::zero(), speed: S::zero(), acceleration: S::zero() };
-        match (self.vibration, self.drift) {
+        match (self.vibration(), self.drift()) {
             (Some(vibration), _) => vibration.at(now),
             (None, Some(drift)) => drift.at(now),
             (None, None) => still,

@@ -11,6 +11,8 @@ use crate::scalar::{Instant, Scalar};
 /// Phases are taken from the exact [`Instant`] of the epoch, so that they do not drift, however long
 /// a world runs.
 ///
+/// There are such planes with the feature `plates`, which is on by default; without it a program has no code for them.
+///
 /// ```
 /// use carom::space::Vibration;
 /// let shaker = Vibration::new(1.0e-3, 20.0); // 1 mm at 20 Hz
@@ -29,9 +31,18 @@ pub struct Vibration<S> {
     pub phase: S,
     /// The phase at the world's epoch, in turns.
     turn: S,
+    #[cfg(not(feature = "plates"))]
+    never: Never,
 }
 
-/// A plane's steady motion along its normal: a piston. It is at its offset at [`Instant::START`].
+/// Without the feature `plates` no plane moves: what has this in it has no value, and nothing is compiled for it.
+#[cfg(not(feature = "plates"))]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum Never {}
+
+/// A plane's steady motion along its normal: a piston. It is at its offset at [`Instant::START`]. With the feature `plates`.
 ///
 /// ```
 /// use carom::{Grain, Memory, World, law::HardSphere};
@@ -55,6 +66,8 @@ pub struct Drift<S> {
     pub speed: S,
     /// How far it had come at the world's epoch.
     place: S,
+    #[cfg(not(feature = "plates"))]
+    never: Never,
 }
 
 impl<S: Scalar> Drift<S> {
@@ -62,6 +75,7 @@ impl<S: Scalar> Drift<S> {
     ///
     /// # Units
     /// Length over time.
+    #[cfg(feature = "plates")]
     #[must_use]
     pub fn new(speed: S) -> Self {
         Self { speed, place: S::zero() }
@@ -92,6 +106,7 @@ pub(crate) struct PlaneMotion<S> {
 
 impl<S: Scalar> Vibration<S> {
     /// A plate of this amplitude and frequency that starts upwards through its mean position.
+    #[cfg(feature = "plates")]
     #[must_use]
     pub fn new(amplitude: S, frequency: S) -> Self {
         Self { amplitude, frequency, phase: S::zero(), turn: S::zero() }

@@ -19,10 +19,10 @@ pub(super) fn plane<S: Scalar, const D: usize>(
     if !plane.offset.is_finite() {
         return Err(Error::input(subject, "offset", plane.offset.to_f64(), "a finite number"));
     }
-    if let Some(vibration) = &plane.vibration {
+    if let Some(vibration) = &plane.vibration() {
         self::vibration(vibration, subject)?;
     }
-    if let Some(drift) = plane.drift.filter(|drift| !drift.speed.in_range()) {
+    if let Some(drift) = plane.drift().filter(|drift| !drift.speed.in_range()) {
         let speed = drift.speed.to_f64();
         return Err(Error::input(subject, "drift's speed", speed, "a finite number"));
     }

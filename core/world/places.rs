@@ -65,10 +65,14 @@ impl<S: Scalar, const D: usize, R> WorldBuilder<'_, S, D, R> {
 
     /// The next place.
     fn place(&mut self) -> Result<&mut Body<S, D>, Error> {
-        let capacity = self.buffers.capacity();
-        let full =
-            Error::Full { knob: "the memory (N of Memory, or the host's vectors)", capacity };
-        if self.count >= capacity.min(EventQueue::<S>::MAX_GRAINS) {
+        let (room, most) = (self.buffers.capacity(), EventQueue::<S>::MAX_GRAINS);
+        let capacity = room.min(most);
+        let knob = match room > most {
+            false => "the memory (N of Memory, or the host's vectors)",
+            true => "the numbers of grains, which have more bits with the feature alloc,",
+        };
+        let full = Error::Full { knob, capacity };
+        if self.count >= capacity {
             return Err(full);
         }
         self.buffers.bodies.get_mut(self.count).ok_or(full)

@@ -1,7 +1,7 @@
 //! Who owns the arrays? The only types with a capacity, in place or on the heap; reads nothing, lends buffers.
 
 use crate::detect::ScheduledEvent;
-use crate::particle::Body;
+use crate::particle::{Body, Index};
 use crate::scalar::{Scalar, Vector, vector};
 use crate::space::{Link, MAX_PLANES, Plane};
 #[cfg(feature = "alloc")]
@@ -15,11 +15,11 @@ pub struct Buffers<'m, S: Scalar, const D: usize> {
     /// One scheduled event for each grain.
     pub events: &'m mut [ScheduledEvent<S>],
     /// The tournament tree: one word for each grain.
-    pub tree: &'m mut [u32],
+    pub tree: &'m mut [Index],
     /// One link for each grain, for the lists of grains in cells.
     pub links: &'m mut [Link],
     /// One word for each cell: as many as grains are enough, with fewer the cells are larger.
-    pub heads: &'m mut [u32],
+    pub heads: &'m mut [Index],
     /// One place for each plane; eight are enough.
     pub planes: &'m mut [Plane<S, D>],
     /// One vector for each grain: its acceleration in the last step, where contacts last or crowd. None where the
@@ -61,18 +61,20 @@ pub trait Storage<S: Scalar, const D: usize> {
 
 /// The arrays behind [`Buffers`], of whatever type.
 #[derive(Clone, Debug, Default)]
-struct Arrays<B, E, W, L, P, V, C> {
+struct Arrays<B, E, W, L, H, P, V, C> {
     bodies: B,
     events: E,
     tree: W,
     links: L,
-    heads: W,
+    heads: H,
     planes: P,
     accelerations: V,
     calendar: C,
 }
 
-impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P, V, C> Arrays<B, E, W, L, P, V, C> {
+impl<B, E, W: AsMut<[Index]>, L: AsMut<[Link]>, H: AsMut<[Index]>, P, V, C>
+    Arrays<B, E, W, L, H, P, V, C>
+{
     fn buffers<S: Scalar, const D: usize>(&mut self) -> Buffers<'_, S, D>
     where
         B: AsMut<[Body<S, D>]>,
@@ -94,18 +96,21 @@ impl<B, E, W: AsMut<[u32]>, L: AsMut<[Link]>, P, V, C> Arrays<B, E, W, L, P, V, 
     }
 }
 
-type InPlace<S, const D: usize, const N: usize, const P: usize, const C: usize> = Arrays<
-    [Body<S, D>; N],
-    [ScheduledEvent<S>; N],
-    [u32; N],
-    [Link; N],
-    [Plane<S, D>; P],
-    [Vector<S, D>; C],
-    [[u32; 2]; 0],
->;
+type InPlace<S, const D: usize, const N: usize, const P: usize, const C: usize, const H: usize> =
+    Arrays<
+        [Body<S, D>; N],
+        [ScheduledEvent<S>; N],
+        [Index; N],
+        [Link; N],
+        [Index; H],
+        [Plane<S, D>; P],
+        [Vector<S, D>; C],
+        [[u32; 2]; 0],
+    >;
 
 /// Memory for at most `N` grains and `P` planes, owned in place: no allocator. `C` grains can be in contacts that are
-/// integrated: all of them, or 0 for the papers' mode.
+/// integrated: all of them, or 0 for the papers' mode. `H` cells can be used, where the grains' density asks for so
+/// many: finer cells, fewer neighbours to look at. It changes no bit of a trajectory.
 ///
 /// A box in two dimensions has four planes, one in three has six; there can be eight, and a world
 /// that needs fewer can save their places:
@@ -127,6 +132,26 @@ type InPlace<S, const D: usize, const N: usize, const P: usize, const C: usize> 
 /// assert!(World::builder(&mut memory).rule(rule).grain(Grain::with_mass(0.5, 1.0))?.start().is_err());
 /// # Ok::<(), carom::Error>(())
 /// ```
+/// Twice as many cells as grains are enough for any density; without the feature `alloc` each takes two bytes:
+///
+/// ```
+/// use carom::{Grain, Memory, World, law::HardSphere};
+/// let grain = |k: u32| Grain::with_mass(0.5, 1.0).at([k % 8, k / 8].map(|x| 0.5 + 3.0 * f64::from(x)));
+/// let (mut few, mut many) = (Memory::<f64, 2, 32>::new(), Memory::<f64, 2, 32, 8, 32, 64>::new());
+/// macro_rules! cells {
+///     ($memory:ident) => {
+///         World::builder(&mut $memory)
+///             .walls([[0.0, 24.0], [0.0, 12.0]])
+///             .rule(HardSphere { restitution: 1.0 })
+///             .grains((0..32).map(grain))?
+///             .start()?
+///             .searches()
+///             .cells
+///     };
+/// }
+/// assert!(cells!(few) <= 32 && cells!(many) > 32);
+/// # Ok::<(), carom::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Memory<
     S: Scalar,
@@ -134,10 +159,11 @@ pub struct Memory<
     const N: usize,
     const P: usize = MAX_PLANES,
     const C: usize = N,
->(InPlace<S, D, N, P, C>);
+    const H: usize = N,
+>(InPlace<S, D, N, P, C, H>);
 
-impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize>
-    Memory<S, D, N, P, C>
+impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize, const H: usize>
+    Memory<S, D, N, P, C, H>
 {
     /// Empty memory, also in a `static`: all its bits are zero, so it takes no flash.
     ///
@@ -166,17 +192,17 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize>
     const EMPTY: Self = Self(Arrays {
         bodies: [Body::VACANT; N],
         events: [ScheduledEvent::VACANT; N],
-        tree: [0; N],
+        tree: [Index::ZERO; N],
         links: [Link::VACANT; N],
-        heads: [0; N],
+        heads: [Index::ZERO; H],
         planes: [Plane::VACANT; P],
         accelerations: [vector([S::ZERO; D]); C],
         calendar: [],
     });
 }
 
-impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize> Default
-    for Memory<S, D, N, P, C>
+impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize, const H: usize>
+    Default for Memory<S, D, N, P, C, H>
 {
     /// Empty memory.
     fn default() -> Self {
@@ -184,8 +210,8 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize> 
     }
 }
 
-impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize> Storage<S, D>
-    for Memory<S, D, N, P, C>
+impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize, const H: usize>
+    Storage<S, D> for Memory<S, D, N, P, C, H>
 {
     fn buffers(&mut self) -> Buffers<'_, S, D> {
         self.0.buffers()
@@ -196,8 +222,9 @@ impl<S: Scalar, const D: usize, const N: usize, const P: usize, const C: usize> 
 type OnHeap<S, const D: usize> = Arrays<
     Vec<Body<S, D>>,
     Vec<ScheduledEvent<S>>,
-    Vec<u32>,
+    Vec<Index>,
     Vec<Link>,
+    Vec<Index>,
     Vec<Plane<S, D>>,
     Vec<Vector<S, D>>,
     Vec<[u32; 2]>,
@@ -251,18 +278,18 @@ impl<S: Scalar, const D: usize> HeapMemory<S, D> {
         let arrays = &mut self.0;
         arrays.bodies.resize(grains, Body::VACANT);
         arrays.events.resize(grains, ScheduledEvent::VACANT);
-        arrays.tree.resize(grains, 0);
+        arrays.tree.resize(grains, Index::ZERO);
         arrays.links.resize(grains, Link::VACANT);
         arrays.accelerations.resize(grains, vector([S::ZERO; D]));
         arrays.calendar.resize(grains + (2 * grains).next_power_of_two() + 1, [0; 2]);
         // Twice as many: a grid cannot use just any number of cells.
-        arrays.heads.resize(arrays.heads.len() + 2 * additional, 0);
+        arrays.heads.resize(arrays.heads.len() + 2 * additional, Index::ZERO);
     }
 
     /// The same with room for this many cells, now; with none, all pairs are neighbours.
     #[must_use]
     pub fn with_cells(mut self, cells: usize) -> Self {
-        self.0.heads.resize(cells, 0);
+        self.0.heads.resize(cells, Index::ZERO);
         self
     }
 

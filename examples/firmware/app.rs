@@ -2,10 +2,10 @@
 
 use carom::law::embedded::read::Table;
 use carom::law::{HardSphere, IntegratedMode, PaperMode};
-use carom::{Error, World};
+use carom::{Error, Instant, World};
 use carom_scenes::Number;
 use carom_scenes::heap::{Heap16, heap};
-use carom_scenes::largest::{Largest, largest};
+use carom_scenes::largest::{Largest, Shared, largest, shared};
 use carom_scenes::measure::{self, Cost};
 use carom_scenes::scene::Rubber;
 use carom_scenes::tilt::{self, Board, READINGS};
@@ -13,17 +13,22 @@ use semihosting::println;
 
 use crate::stack::Painted;
 
-/// Runs the tilt box and shows the digest of its last state.
+/// Runs the tilt box, so many events a frame at most; shows in how many frames it went slower for that, and the
+/// digest of its last state.
 ///
 /// # Errors
 /// Any error of the engine.
 pub fn tilt_box<S: Number>(
     table: &'static Table<S::Stored>,
+    events: u32,
     board: &mut impl Board,
 ) -> Result<(), Error> {
     let mut memory = tilt::memory::<S>();
     let mut world = tilt::tilt_box(&mut memory, table)?;
-    tilt::run_script(&mut world, board)?;
+    let late = tilt::run_script(&mut world, events, board)?;
+    board.write(b"slower in so many frames: ");
+    board.write(&tilt::hexadecimal(late.into()));
+    board.write(b"\n");
     board.write(&tilt::hexadecimal(world.digest()));
     board.write(b"\n");
     Ok(())
@@ -38,6 +43,7 @@ pub fn measure_all<S: Number>(
     tables: &[(&str, &'static Table<S::Stored>)],
     runs: usize,
     stack: usize,
+    (events, share): (u32, u64),
     board: &mut impl Board,
 ) {
     println!("memory {}", size_of::<tilt::Box32<S>>());
@@ -45,9 +51,8 @@ pub fn measure_all<S: Number>(
     for (name, table) in tables {
         measure::<S>(name, table, runs, stack, board);
         println!("{name}.lookup {}", measure::lookup::<S>(table, board));
-        if runs > 1 {
-            measure_largest::<S>(name, table, board);
-        }
+        measure_largest::<S>(name, table, board);
+        measure_frames::<S>(name, table, (events, share), board);
     }
     match measure::time_stepped::<S>(S::compact(), BEGIN, STEPS, board) {
         Ok(instructions) => println!("md {instructions}"),
@@ -71,11 +76,48 @@ fn measure_largest<S: Number>(
     }
 }
 
+/// The frames of the tilt box when physics has a share of them: of events, as in the image `tilt_box`, and of time.
+#[inline(never)]
+fn measure_frames<S: Number>(
+    name: &str,
+    table: &'static Table<S::Stored>,
+    (events, share): (u32, u64),
+    board: &mut impl Board,
+) {
+    let mut memory = tilt::memory::<S>();
+    let run = tilt::tilt_box(&mut memory, table).and_then(|mut world| {
+        let late = tilt::run_script(&mut world, events, &mut Silent)?;
+        println!("{name}.events.late {late}");
+        println!("{name}.events.digest {:016x}", world.digest());
+        Ok(())
+    });
+    let run = run.and_then(|()| tilt::tilt_box(&mut memory, table));
+    match run.and_then(|mut world| shared(&mut world, share, board)) {
+        Ok(Shared { frame, late }) => {
+            println!("{name}.share {share}");
+            println!("{name}.share.frame {frame}");
+            println!("{name}.share.late {late}");
+        }
+        Err(error) => println!("{name}.error {error}"),
+    }
+}
+
+/// A board that shows nothing and has no time to lose.
+struct Silent;
+
+impl Board for Silent {
+    fn write(&mut self, _: &[u8]) {}
+    fn sleep_until(&mut self, _: Instant) {}
+    fn instructions(&mut self) -> u64 {
+        0
+    }
+}
+
 /// The box of 16 is held still after the script until all sleep, but not longer than that many readings.
 const HELD: u32 = 400;
 
 /// Measures the box of 16 that heaps up in the default mode, one line for each number.
-pub fn measure_heap<S: Number>(board: &mut impl Board) {
+pub fn measure_heap<S: Number>(share: u64, board: &mut impl Board) {
     let mut memory = Heap16::<S>::default();
     println!("memory {}", size_of::<Heap16<S>>());
     println!("world {}", size_of::<World<'_, S, 2, IntegratedMode<HardSphere<S>>>>());
@@ -91,6 +133,14 @@ pub fn measure_heap<S: Number>(board: &mut impl Board) {
     });
     if let Err(error) = run {
         println!("heap.error {error}");
+    }
+    match heap(&mut memory).and_then(|mut world| shared(&mut world, share, board)) {
+        Ok(Shared { frame, late }) => {
+            println!("share {share}");
+            println!("share.frame {frame}");
+            println!("share.late {late}");
+        }
+        Err(error) => println!("heap.error {error}"),
     }
 }
 

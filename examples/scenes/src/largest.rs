@@ -80,3 +80,35 @@ fn counted<T>(board: &mut impl Board, action: impl FnOnce() -> T) -> (u64, T) {
     let end = board.instructions();
     ((end - start).saturating_sub(start - before), done)
 }
+
+/// What frames take whose physics has a share of time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Shared {
+    /// The most that a frame took, in instructions.
+    pub frame: u64,
+    /// In how many frames the box went slower.
+    pub late: u32,
+}
+
+/// The script with so many instructions for the physics of a frame: what is under way when they are used up is the most
+/// that a frame takes longer.
+///
+/// # Errors
+/// Any error of the engine.
+#[inline(never)]
+pub fn shared<S: Scalar, R: Rule<S>>(
+    world: &mut World<'_, S, 2, R>,
+    share: u64,
+    board: &mut impl Board,
+) -> Result<Shared, Error> {
+    let (mut shared, mut done) = (Shared::default(), 0);
+    for reading in 0..tilt::READINGS {
+        let start = board.instructions();
+        let in_time = || board.instructions() - start < share;
+        let arrived = tilt::frame(world, [reading, done], tilt::accelerometer, in_time)?;
+        done += u32::from(arrived);
+        shared.late += u32::from(!arrived);
+        shared.frame = shared.frame.max(board.instructions() - start);
+    }
+    Ok(shared)
+}

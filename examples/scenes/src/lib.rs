@@ -8,10 +8,12 @@
 pub mod heap;
 pub mod largest;
 pub mod measure;
+#[cfg(feature = "plates")]
 pub mod replay;
 pub mod scene;
 pub mod tilt;
 pub mod time_stepped;
 
+#[cfg(feature = "plates")]
 pub use replay::EventDigest;
 pub use scene::{Number, Scene};

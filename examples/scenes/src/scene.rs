@@ -6,6 +6,7 @@ use carom::law::{
     HardSphere, IntegratedMode, LinearDashpot, Outside, PaperMode, Rule, Soft, Viscoelastic,
 };
 use carom::scalar::I32F32;
+#[cfg(feature = "plates")]
 use carom::space::{Plane, Surface, Vibration};
 use carom::{Enduring, Error, Grain, Scalar, Storage, World};
 
@@ -220,6 +221,7 @@ pub fn gas32<S: Number>(
 ///
 /// # Errors
 /// None unless the memory is too small.
+#[cfg(feature = "plates")]
 pub fn column10<S: Number>(
     memory: &mut impl Storage<S, 1>,
 ) -> Result<World<'_, S, 1, Dashpot<S, S::Stored>>, Error> {

@@ -53,8 +53,8 @@ fn glass<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
     Soft::with_table(law, table, Outside::HardSphere)
 }
 
-/// The memory of the tilt box: its grains and its four walls.
-pub type Box32<S> = Memory<S, 2, GRAINS, 4, 0>;
+/// The memory of the tilt box: its grains, its four walls, and twice as many cells.
+pub type Box32<S> = Memory<S, 2, GRAINS, 4, 0, { 2 * GRAINS }>;
 
 /// Memory for the tilt box.
 ///
@@ -139,29 +139,52 @@ pub fn instant(reading: u32) -> Instant {
     Instant::from((reading * BETWEEN_READINGS) as f32)
 }
 
-/// Runs the script on a board: sleeps until the next event, and shows the box now and then.
+/// Runs the script on a board, a frame for each reading: physics up to the frame's end, but no more than so many
+/// events, then sleep. Returns in how many frames that was too little: the box goes slower
+/// there, and nobody waits for it.
 ///
 /// # Errors
 /// Any error of the engine.
 #[inline(never)]
 pub fn run_script<S: Scalar, R: Rule<S>>(
     world: &mut World<'_, S, 2, R>,
+    events: u32,
     board: &mut impl Board,
-) -> Result<(), Error> {
+) -> Result<u32, Error> {
+    let mut done = 0;
     for reading in 0..READINGS {
-        world.set_gravity(accelerometer(reading))?;
-        let end = instant(reading + 1);
-        while let Some(next) = world.next_event_time().filter(|next| *next < end) {
-            board.sleep_until(next);
-            world.advance_to(next)?;
-        }
-        board.sleep_until(end);
-        world.advance_to(end)?;
+        let mut left = events;
+        let share = || {
+            left = left.saturating_sub(1);
+            left > 0
+        };
+        done += u32::from(frame(world, [reading, done], accelerometer, share)?);
+        board.sleep_until(instant(reading + 1));
         if reading % READINGS_A_FRAME == 0 {
             show(world, board);
         }
     }
-    Ok(())
+    Ok(READINGS - done)
+}
+
+/// One frame: the accelerometer is read, and physics goes on to the end of the frame after those that are done, as long
+/// as it has a share of time left: asked before each event. Whether it arrived.
+///
+/// # Errors
+/// Any error of the engine.
+pub fn frame<S: Scalar, R: Rule<S>>(
+    world: &mut World<'_, S, 2, R>,
+    [reading, done]: [u32; 2],
+    accelerometer: fn(u32) -> [S; 2],
+    mut share: impl FnMut() -> bool,
+) -> Result<bool, Error> {
+    world.set_gravity(accelerometer(reading))?;
+    while share() {
+        if world.advance_with_budget(instant(done + 1), 1)? {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 /// The LED matrix: a lamp is lit where a grain's centre is, brighter where there are two.

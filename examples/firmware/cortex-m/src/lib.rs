@@ -3,6 +3,7 @@
 
 #[path = "../../app.rs"]
 pub mod app;
+#[cfg(feature = "plates")]
 #[path = "../../replay.rs"]
 pub mod replay;
 #[path = "../../stack.rs"]
@@ -12,6 +13,8 @@ use carom::Instant;
 use carom::law::embedded::read::Table;
 use carom_scenes::Number as _;
 use carom_scenes::tilt::Board;
+#[cfg(not(target_abi = "eabihf"))]
+use carom_soft_float as _;
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m::peripheral::{SCB, SYST};
 use semihosting::sys::arm_compat::sys_writec;
@@ -24,6 +27,9 @@ pub const MPS2: u32 = 25_000;
 /// The core clock of the tilt box's board: MPS2 with AN386, or the micro:bit.
 pub const CLOCK: u32 = if M4F { MPS2 } else { 16_000 };
 
+/// Events that the tilt box may take in a frame, and instructions: 13.5 ms of 25 at 100 MHz, and 20 at 48 MHz.
+pub const SHARE: (u32, u64) = if M4F { (160, 1_350_000) } else { (6, 960_000) };
+
 /// With `-icount shift=0` one instruction takes one virtual nanosecond.
 const NANOSECONDS_PER_MILLISECOND: u64 = 1_000_000;
 
@@ -33,12 +39,8 @@ const LONGEST: u32 = 0x00FF_FFFF;
 /// Above this address RAM is the stack's: these images have a few bytes of static data.
 pub const STACK: usize = 0x2000_0040;
 
-/// The number of this board's tilt box: fixed point where there is no floating-point unit.
-#[cfg(target_abi = "eabihf")]
+/// The number of this board's tilt box: in software, too, `f32` is faster and smaller than fixed point (../README.md).
 pub type Number = f32;
-/// The number of this board's tilt box: fixed point where there is no floating-point unit.
-#[cfg(not(target_abi = "eabihf"))]
-pub type Number = carom::scalar::I32F32;
 
 /// The table of this board's tilt box: the compact one where flash is short.
 #[must_use]

@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use carom_cortex_m::{CLOCK, Chip, Number, app, table};
+use carom_cortex_m::{CLOCK, Chip, Number, SHARE, app, table};
 use carom_scenes::tilt::Board;
 use cortex_m_rt::entry;
 use semihosting::process;
@@ -11,7 +11,7 @@ use semihosting::process;
 fn main() -> ! {
     let Some(peripherals) = cortex_m::Peripherals::take() else { process::exit(2) };
     let mut chip = Chip::start(peripherals.SYST, CLOCK);
-    if app::tilt_box::<Number>(table(), &mut chip).is_err() {
+    if app::tilt_box::<Number>(table(), SHARE.0, &mut chip).is_err() {
         chip.write(b"error\n");
         process::exit(1)
     }

@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use carom_riscv::{Chip, Number, app, table};
+use carom_riscv::{Chip, Number, SHARE, app, table};
 use carom_scenes::tilt::Board;
 use riscv_rt::entry;
 use semihosting::process;
@@ -10,7 +10,7 @@ use semihosting::process;
 #[entry]
 fn main() -> ! {
     let mut chip = Chip::start();
-    if app::tilt_box::<Number>(table(), &mut chip).is_err() {
+    if app::tilt_box::<Number>(table(), SHARE.0, &mut chip).is_err() {
         chip.write(b"error\n");
         process::exit(1)
     }
