@@ -219,6 +219,9 @@ replay_by_oldest "$work/oldest.digests" || say "Rust $oldest: the replay failed"
 row "x86_64-rust-$oldest" "$(compare "x86_64, Rust $oldest" "$work/oldest.digests" "$host")" \
   null null null null null null null
 
+. tilt-box/check.sh
+tilt_box || { say "tilt box: it does something else in QEMU than here, or does not build" && failed=1; }
+
 build firmware/wasm wasm32-unknown-unknown
 module=$CARGO_TARGET_DIR/wasm32-unknown-unknown/release/carom_wasm_replay.wasm
 node firmware/wasm/replay.mjs "$module" >"$work/wasm32"

@@ -9,8 +9,8 @@ mod counter;
 use carom_tilt_box::replay::{self, Onlooker, Refusal};
 use carom_tilt_box::screen::Canvas;
 use carom_tilt_box::{Memory, TiltBox, frame};
-use counter::Counter;
 use core::fmt;
+use counter::Counter;
 use semihosting::{print, println, process};
 use static_cell::ConstStaticCell;
 
