@@ -127,11 +127,11 @@ fn species_are_told_apart() {
     let grains = "[[grain]]\nradius = 0.4\nmass = 8.0\nat = [1.0, 1.0]\nmoving = [0.5, 0.2]\n";
     text.insert_str(at, &[grains, &grains.replace("1.0, 1.0", "3.0, 1.0")].concat());
     let found = Measured::of(&text, MethodName::Emd);
-    let [heavy, light] = ["species 0", "species 1"].map(|s| found.value("temperature", s));
+    let [heavy, light] = ["grain", "gas"].map(|s| found.value("temperature", s));
     let all = found.value("temperature", "all");
     assert!(((2.0 * heavy + 12.0 * light) / 14.0 / all - 1.0).abs() < 1e-9);
     assert!((heavy / light - 1.0).abs() < 0.15, "{heavy} and {light}");
-    assert!(found.value("contacts", "species 0 - species 1") > 0.0);
+    assert!(found.value("contacts", "grain - gas") > 0.0);
 }
 
 /// A mean free time of elastic hard spheres at density 0.5, N = 256, two thousand collisions a grain:

@@ -41,6 +41,8 @@ fn lattice(start: &mut Start, side: usize, length: f64, diameter: impl Fn([usize
         Placed { radius: 0.5 * diameter(at), mass: 1.0, position, velocity }
     };
     start.grains = (0..side.pow(d as u32)).map(grain).collect();
+    start.species = vec![0; start.grains.len()];
+    start.materials = vec![0; start.grains.len()];
     for axis in 0..d {
         start.sides[axis] = Side::Periodic([0.0, length]);
         let mean = start.grains.iter().map(|g| g.velocity[axis]).sum::<f64>();

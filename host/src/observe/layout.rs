@@ -60,7 +60,7 @@ impl State {
 }
 
 /// The largest number of species that are told apart.
-const MAX_SPECIES: usize = 8;
+const MAX_SPECIES: usize = 16;
 
 /// Where the sums of a run stand.
 #[derive(Clone, Debug, PartialEq)]
@@ -190,22 +190,10 @@ fn mass(start: &Start, species: &[u16], which: usize) -> (f64, usize) {
     (of().map(|(grain, _)| grain.mass).sum::<f64>() / of().count() as f64, of().count())
 }
 
-/// Grains of the same radius and mass are a species; too many of them are one.
+/// The species of a start; very many of them are one.
 fn species(start: &Start) -> (Vec<u16>, Vec<String>) {
-    let mut kinds: Vec<[u64; 2]> = Vec::new();
-    let mut species = Vec::with_capacity(start.grains.len());
-    for grain in &start.grains {
-        let kind = [grain.radius.to_bits(), grain.mass.to_bits()];
-        let known = kinds.iter().position(|other| *other == kind);
-        if known.is_none() && kinds.len() == MAX_SPECIES {
-            return (vec![0; start.grains.len()], vec!["grains".to_owned()]);
-        }
-        species.push(known.unwrap_or(kinds.len()) as u16);
-        if known.is_none() {
-            kinds.push(kind);
-        }
+    match start.species_names.len() {
+        2..=MAX_SPECIES => (start.species.clone(), start.species_names.clone()),
+        _ => (vec![0; start.grains.len()], vec!["grains".to_owned()]),
     }
-    let name =
-        |k: usize| if kinds.len() == 1 { "grains".to_owned() } else { format!("species {k}") };
-    (species, (0..kinds.len()).map(name).collect())
 }
