@@ -102,8 +102,10 @@ pub fn tracks(scenario: &Scenario) -> Result<(Start, Vec<Track>)> {
     if scenario.only_law().is_none() {
         bail!("there are several laws, but MD has one for all contacts");
     }
-    if let Some(axis) = scenario.hard_walls() {
-        bail!("box.{axis}: MD has no hard walls; soft ones are needed for a comparison");
+    if let Some(axis) = scenario.event_driven_walls() {
+        bail!(
+            "box.{axis}: MD has no hard walls, no walls of a material and no two that vibrate; soft ones at rest are needed for a comparison"
+        );
     }
     let start = Start::new(scenario)?;
     let plan = Plan::new(scenario);

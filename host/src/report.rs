@@ -150,7 +150,7 @@ fn write_events(rows: &mut csv::Writer<Growing>, events: &[LoggedEvent]) -> Resu
     Ok(())
 }
 
-/// One frame of an extended XYZ trajectory (as read by OVITO and ASE): grains with position,
+/// One frame of an extended XYZ trajectory (as read by OVITO and ASE): grains with the name of their species, position,
 /// velocity, radius and mass, the box as `Lattice`, the instant as `Time`.
 ///
 /// An open axis is given the extent of the grains of this frame and is marked not periodic.
@@ -180,15 +180,23 @@ pub fn write_frame(sink: &mut dyn Write, start: &Start, sample: &Sample) -> Resu
         periodic.join(" "),
         sample.time
     )?;
-    for grain in &sample.grains {
+    let names: Vec<String> = start.species_names.iter().map(|name| word(name)).collect();
+    for (number, grain) in sample.grains.iter().enumerate() {
+        let of = start.species.get(number).filter(|_| start.has_species);
+        let name = of.and_then(|of| names.get(usize::from(*of))).map_or("G", String::as_str);
         let ([x, y, z], [u, v, w]) = (grain.position, grain.velocity);
         writeln!(
             sink,
-            "G {x:?} {y:?} {z:?} {u:?} {v:?} {w:?} {:?} {:?}",
+            "{name} {x:?} {y:?} {z:?} {u:?} {v:?} {w:?} {:?} {:?}",
             grain.radius, grain.mass
         )?;
     }
     Ok(())
+}
+
+/// A name without blanks, as XYZ needs it.
+fn word(name: &str) -> String {
+    name.split_whitespace().collect::<Vec<_>>().join("-")
 }
 
 fn extent(sample: &Sample, axis: usize) -> [f64; 2] {

@@ -68,7 +68,7 @@ fn polydisperse_grains_keep_to_their_range_and_walls() {
         assert!((0.002..=0.004).contains(&grain.radius));
         assert_eq!((grain.position[2], grain.velocity[2]), (0.0, 0.0));
         for (side, x) in start.sides.iter().zip(grain.position).take(2) {
-            let Side::Soft([from, to]) = *side else { panic!("not a soft wall") };
+            let Side::Walls([from, to], ..) = *side else { panic!("not a soft wall") };
             assert!(x - grain.radius >= from && x + grain.radius <= to);
         }
     }

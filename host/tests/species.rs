@@ -1,7 +1,8 @@
 //! Are materials, species and their placement what a scenario says? Reads scenarios as text; writes nothing.
 
-use carom_host::method;
+use carom_host::report::write_frame;
 use carom_host::scenario::{MethodName, Placed, Scenario, Side, Start, examine, touching};
+use carom_host::{method, run};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -29,7 +30,7 @@ fn smallest_gap(start: &Start) -> f64 {
         }
         for (side, x) in start.sides.iter().zip(a.position) {
             let gap = match *side {
-                Side::Soft([from, to]) | Side::Hard([from, to], _) => (x - from).min(to - x),
+                Side::Walls([from, to], ..) => (x - from).min(to - x),
                 Side::Plate(plate, _) => x - plate.at - plate.amplitude,
                 _ => continue,
             };
@@ -234,7 +235,7 @@ fn what_cannot_be_is_named() {
             .replacen(from, to, 1)
     };
     let species = |from: &str, to: &str| {
-        filled_box(3, 0.5, "count = 100\nradius = 0.01").replacen(from, to, 1)
+        filled_box(3, 0.5, "count = 50\nradius = 0.01").replacen(from, to, 1)
     };
     for (text, wanted) in [
         (
@@ -271,11 +272,11 @@ fn what_cannot_be_is_named() {
             "cannot be reached: compressed at random, these grains jam at 0.6",
         ),
         (
-            species("count = 100", "count = 3000000000"),
+            species("count = 50", "count = 3000000000"),
             "species 0: count is 3000000000: so many grains need",
         ),
         (
-            species("count = 100", "cuont = 100"),
+            species("count = 50", "cuont = 50"),
             "species 0: unknown field `cuont`; the nearest is `count`",
         ),
         (
@@ -285,7 +286,7 @@ fn what_cannot_be_is_named() {
         (species("radius = 0.01", "radius = { list = [0.01, -1.0] }"), "radius.list 1 is -1"),
         (species("density = 1.0", ""), "species 0: density is missing, and its material has none"),
         (
-            species("count = 100", "count = 100\npacking_fraction = 0.2"),
+            species("count = 50", "count = 50\npacking_fraction = 0.2"),
             "species 0: packing_fraction is given, and so is count",
         ),
         (
@@ -472,4 +473,133 @@ fn grains_are_read_from_files() {
         let error = format!("{:#}", Start::new(&scenario).expect_err("it cannot be read"));
         assert!(error.contains(wanted) && error.starts_with("species 0: place: "), "{error}");
     }
+}
+
+/// A wall has the law of its material with the grain's, a soft one that of two of the grain's.
+#[test]
+fn walls_are_of_a_material() {
+    let text = |wall: &str| {
+        format!(
+            "dimension = 1\nduration = 1.0\nsample = 1.0\n[box]\nx = {{ kind = \"walls\", from = 0.0, to = 9.0{wall} }}\n\
+             [[material]]\nname = \"steel\"\ndensity = 1.0\nrestitution = 0.9\n\
+             [[material]]\nname = \"clay\"\nrestitution = 0.1\n\
+             [[pair]]\nbetween = [\"clay\", \"steel\"]\nrestitution = 0.5\n\
+             [[grain]]\nradius = 0.1\nat = [0.5]\nmoving = [-1.0]\nmaterial = \"steel\"\n"
+        )
+    };
+    for (wall, restitution) in [
+        ("", 0.9),
+        (", surface = \"soft\"", 0.9),
+        (", restitution = 0.7", 0.7),
+        (", material = \"steel\"", 0.9),
+        (", material = \"clay\"", 0.5),
+    ] {
+        let scenario = Scenario::parse(&text(wall)).expect("a good scenario");
+        let start = Start::new(&scenario).expect("one grain");
+        let speed = method::with(MethodName::Emd, &scenario, &start, |method| {
+            method.advance_to(1.0)?;
+            Ok(method.grains()[0].velocity[0])
+        });
+        assert!((speed.expect("a run") - restitution).abs() < 1e-12, "{wall}");
+    }
+    for (wall, wanted) in [
+        (", material = \"glas\"", "box.x.material is \"glas\", which no [[material]] defines"),
+        (", material = \"clay\", restitution = 0.5", "box.x.material is given, and so is surface"),
+        (", surface = \"hard\"", "box.x.restitution: hard walls need one"),
+        (", amplitude = 0.1", "box.x.frequency is 0, must be finite and above 0"),
+    ] {
+        let error = refused(&text(wall));
+        assert!(error.contains(wanted), "{wanted:?}: {error:?}");
+    }
+}
+
+/// Both walls go up first, by A sin(ωt): each meets a grain at rest a gap g away when A |sin(ωt)| = g, the upper one
+/// half a cycle later, and throws it off with twice its own speed.
+#[test]
+fn two_walls_are_shaken_as_one() {
+    let text = "dimension = 1\nduration = 1.0\nsample = 1.0\n[box]\n\
+        x = { kind = \"walls\", from = 0.0, to = 1000.0, restitution = 1.0, amplitude = 0.2, frequency = 0.5 }\n\
+        [law]\nkind = \"constant\"\nrestitution = 1.0\n\
+        [[grain]]\nradius = 1.0\nmass = 1.0\nat = [1.1]\n[[grain]]\nradius = 1.0\nmass = 1.0\nat = [998.9]\n";
+    let scenario = Scenario::parse(text).expect("a good scenario");
+    let start = Start::new(&scenario).expect("two grains");
+    let omega = PI;
+    let angle = 0.5f64.asin();
+    let thrown = 2.0 * 0.2 * omega * angle.cos();
+    let ways = method::with(MethodName::Emd, &scenario, &start, |method| {
+        let mut ways = Vec::new();
+        for time in [0.5, 1.9] {
+            method.advance_to(time)?;
+            let grains = method.grains();
+            ways.push([
+                grains[0].velocity[0],
+                grains[1].velocity[0],
+                grains[0].position[0],
+                grains[1].position[0],
+            ]);
+        }
+        Ok(ways)
+    });
+    let ways = ways.expect("a run");
+    let first = 1.1 + thrown * (0.5 - angle / omega);
+    let second = 998.9 - thrown * (1.9 - (PI + angle) / omega);
+    for (found, wanted) in [
+        (ways[0][0], thrown),
+        (ways[0][1], 0.0),
+        (ways[0][2], first),
+        (ways[1][1], -thrown),
+        (ways[1][3], second),
+    ] {
+        assert!((found - wanted).abs() < 1e-9, "{found} is not {wanted}");
+    }
+    let why = refused(
+        &text.replace("[law]", "[law]\n").replace("duration", "methods = [\"md\"]\nduration"),
+    );
+    assert!(why.contains("MD needs"), "{why}");
+}
+
+/// What a run writes is read back by species: all grains of both frames, as they were.
+#[test]
+fn what_a_run_wrote_is_read_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = filled_box(
+        2,
+        0.3,
+        "name = \"large ones\"\ncount = 10\nradius = 0.02\ntemperature = 1.0\n\
+         [[species]]\nname = \"small\"\ndensity = 2.0\ncount = 20\nradius = 0.01\ntemperature = 1.0",
+    );
+    let scenario = Scenario::parse(&text).expect("a good scenario");
+    let start = Start::new(&scenario).expect("a place for all");
+    let mut file = Vec::new();
+    let mut last = Vec::new();
+    method::with(MethodName::Emd, &scenario, &start, |method| {
+        let plan = run::Plan::new(&scenario);
+        run::drive(method, &plan, |sample| {
+            last = sample.grains.clone();
+            write_frame(&mut file, &start, sample)
+        })
+    })
+    .expect("a run");
+    std::fs::write(folder.path().join("emd.xyz"), file).expect("written");
+    let Side::Periodic([from, to]) = start.sides[0] else { panic!("not periodic") };
+    let sides: String = ["x", "y"]
+        .map(|x| format!("{x} = {{ kind = \"periodic\", from = {from:?}, to = {to:?} }}\n"))
+        .concat();
+    let species = |name: &str| {
+        format!(
+            "[[species]]\nname = \"{name}\"\nplace = {{ kind = \"file\", path = \"emd.xyz\", only = \"{name}\" }}\n"
+        )
+    };
+    let again = format!(
+        "dimension = 2\nduration = 1.0\nsample = 0.1\n[box]\n{sides}[law]\nkind = \"constant\"\nrestitution = 1.0\n{}{}",
+        species("large ones"),
+        species("small")
+    );
+    let scenario = Scenario::parse_in(&again, folder.path()).expect("a good scenario");
+    let read = Start::new(&scenario).expect("readable");
+    assert_eq!(read.grains, last);
+    assert_eq!(read.species_names, start.species_names);
+    // It can be run.
+    method::with(MethodName::Emd, &scenario, &read, |method| method.advance_to(0.1))
+        .expect("a run");
 }

@@ -7,8 +7,8 @@ use crate::drive::Driving;
 use crate::integrated::Integrated;
 use crate::observe::Layout;
 use crate::scenario::{
-    EnduringSpec, LawSpec, Laws, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario, Side,
-    Start, sources,
+    EnduringSpec, LawSpec, Laws, Made, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario,
+    Shaking, Side, Start, sources,
 };
 use crate::tables::embedded;
 use anyhow::{Context, Result, bail};
@@ -177,41 +177,45 @@ fn enclose<'m, const D: usize, R>(
     start: &Start,
 ) -> WorldBuilder<'m, f64, D, R> {
     for (axis, side) in start.sides.iter().enumerate().take(D) {
-        let (surface, [from, to]) = match *side {
-            Side::Open => continue,
-            Side::Plate(plate, restitution) => {
-                builder = builder.plane(plate_below(axis, &plate, restitution));
-                continue;
+        match *side {
+            Side::Open => {}
+            Side::Periodic(range) => builder = builder.periodic_axis(axis, range),
+            Side::Plate(plate, made) => {
+                let Plate { at, amplitude, frequency, phase } = plate;
+                let shaking = Shaking { amplitude, frequency, phase };
+                builder = builder.plane(wall(axis, (at, 1.0), made, Some(shaking)));
             }
-            Side::Periodic(range) => {
-                builder = builder.periodic_axis(axis, range);
-                continue;
+            Side::Walls([from, to], made, shaking) => {
+                for end in [(from, 1.0), (to, -1.0)] {
+                    builder = builder.plane(wall(axis, end, made, shaking));
+                }
             }
-            Side::Soft(range) => (Surface::Rule, range),
-            Side::Hard(range, restitution) => (Surface::Hard(restitution), range),
-        };
-        for (at, facing) in [(from, 1.0), (to, -1.0)] {
-            let mut normal = [0.0; D];
-            normal[axis] = facing;
-            builder = builder.plane(Plane::new(normal, facing * at, surface));
         }
     }
     builder
 }
 
-fn plate_below<const D: usize>(
+/// The wall across an axis that faces up or down it; a positive amplitude moves it up first, wherever it faces.
+fn wall<const D: usize>(
     axis: usize,
-    plate: &Plate,
-    restitution: Option<f64>,
+    (at, facing): (f64, f64),
+    made: Made,
+    shaking: Option<Shaking>,
 ) -> Plane<f64, D> {
     let mut normal = [0.0; D];
-    normal[axis] = 1.0;
-    let surface = restitution.map_or(Surface::Rule, Surface::Hard);
-    let plane = Plane::new(normal, plate.at, surface);
-    if plate.amplitude == 0.0 {
-        return plane;
+    normal[axis] = facing;
+    let surface = match made {
+        Made::Soft => Surface::Rule,
+        Made::Hard(restitution) => Surface::Hard(restitution),
+        Made::Of(material) => Surface::Material(material),
+    };
+    let plane = Plane::new(normal, facing * at, surface);
+    match shaking.filter(|shaking| shaking.amplitude != 0.0) {
+        Some(Shaking { amplitude, frequency, phase }) => {
+            plane.vibrating(Vibration::new(facing * amplitude, frequency).starting_at(phase))
+        }
+        None => plane,
     }
-    plane.vibrating(Vibration::new(plate.amplitude, plate.frequency).starting_at(plate.phase))
 }
 
 fn system<const D: usize>(
@@ -220,9 +224,7 @@ fn system<const D: usize>(
 ) -> Result<(carom_reference::System<D>, carom_reference::ForceLaw)> {
     let boundary = std::array::from_fn(|axis| match start.sides[axis] {
         Side::Periodic([lo, hi]) => carom_reference::Boundary::Periodic { lo, hi },
-        Side::Soft([lo, hi]) | Side::Hard([lo, hi], _) => {
-            carom_reference::Boundary::Walls { lo, hi }
-        }
+        Side::Walls([lo, hi], ..) => carom_reference::Boundary::Walls { lo, hi },
         Side::Plate(plate, _) => carom_reference::Boundary::Plate(plate),
         Side::Open => carom_reference::Boundary::Open,
     });

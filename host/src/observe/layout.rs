@@ -96,7 +96,7 @@ impl Layout {
         for (axis, side) in start.sides.iter().enumerate().take(start.dimension) {
             let name = ["x", "y", "z"][axis];
             let ends: &[&str] = match side {
-                Side::Soft(_) | Side::Hard(..) => &["from", "to"],
+                Side::Walls(..) => &["from", "to"],
                 Side::Plate(..) => &["plate"],
                 _ => &[],
             };
@@ -180,7 +180,7 @@ impl Layout {
 
     /// Whether velocities along an axis count from the mean one: not between two walls.
     pub fn is_drifting(&self, axis: usize) -> bool {
-        !matches!(self.sides[axis], Side::Soft(_) | Side::Hard(..))
+        !matches!(self.sides[axis], Side::Walls(..))
     }
 }
 

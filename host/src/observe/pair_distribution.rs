@@ -95,7 +95,7 @@ impl PairDistribution {
 
     fn is_inside(&self, grain: &Placed) -> bool {
         (0..self.dimension).all(|axis| match self.sides[axis] {
-            Side::Soft([from, to]) | Side::Hard([from, to], _) => {
+            Side::Walls([from, to], ..) => {
                 (from + self.to..=to - self.to).contains(&grain.position[axis])
             }
             _ => true,

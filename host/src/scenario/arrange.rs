@@ -83,8 +83,9 @@ fn check(crowd: &Crowd<'_>, places: &[[f64; 3]]) -> Result<(), Problem> {
     let mut cells = Cells::of(crowd.others, largest, crowd.sides);
     for (position, &radius) in places.iter().zip(crowd.radii) {
         for axis in 0..crowd.region.dimension {
-            let Some([low, high]) = crowd.sides[axis].range() else { continue };
-            let is_inside = position[axis] - radius >= low && position[axis] + radius <= high;
+            let [low, high] = crowd.sides[axis].room();
+            let is_inside = low.is_none_or(|low| position[axis] - radius >= low)
+                && high.is_none_or(|high| position[axis] + radius <= high);
             if !(is_inside || matches!(crowd.sides[axis], Side::Periodic(_))) {
                 let name = ["x", "y", "z"][axis];
                 return Err(problem(crowd, &format!("so many grains do not fit along {name}")));

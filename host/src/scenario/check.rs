@@ -33,7 +33,7 @@ pub fn check(scenario: &Scenario) -> Problems {
     }
     problems.not_negative("options.tc", scenario.options.tc);
     let laws = materials(scenario, &mut problems);
-    sides(scenario, &mut problems);
+    sides(scenario, &laws, &mut problems);
     methods(scenario, &mut problems);
     if scenario.grains.is_empty() && scenario.gas.is_none() && scenario.species.is_empty() {
         problems.say("", "no grains: add [[grain]] entries, [[species]] or a [gas]");
@@ -178,36 +178,38 @@ pub fn density(
     }
 }
 
-fn sides(scenario: &Scenario, problems: &mut Problems) {
-    let (sides, dimension) = (&scenario.sides, scenario.dimension);
-    if let Some(packing) = sides.packing_fraction {
+fn sides(scenario: &Scenario, laws: &Laws, problems: &mut Problems) {
+    let dimension = scenario.dimension;
+    if let Some(packing) = scenario.sides.packing_fraction {
         problems.packing("box.packing_fraction", packing);
     }
-    for (axis, (name, side)) in
-        [("x", sides.x), ("y", sides.y), ("z", sides.z)].into_iter().enumerate()
-    {
+    for (axis, (name, side)) in scenario.sides.named().into_iter().enumerate() {
         let path = format!("box.{name}");
-        if axis >= dimension && side != SideSpec::Open {
+        if axis >= dimension && *side != SideSpec::Open {
             problems.add(&path, format!("is given, but dimension is {dimension}"));
             continue;
         }
         match side {
+            SideSpec::Periodic { from, to } | SideSpec::Walls { from, to, .. } => {
+                range(&path, *from, *to, problems);
+            }
+            SideSpec::Plate { at, .. } => problems.finite(&format!("{path}.at"), &[*at]),
             SideSpec::Open => {}
-            SideSpec::Periodic { from, to } => range(&path, from, to, problems),
-            SideSpec::Walls { from, to, surface, restitution } => {
-                range(&path, from, to, problems);
-                made_of(&path, surface, restitution, problems);
-            }
-            SideSpec::Plate { at, amplitude, frequency, phase, surface, restitution } => {
-                made_of(&path, surface, restitution, problems);
-                problems.finite(&format!("{path}.at"), &[at]);
-                problems.finite(&format!("{path}.phase"), &[phase]);
-                problems.not_negative(&format!("{path}.amplitude"), amplitude);
-                if amplitude > 0.0 {
-                    problems.positive(&format!("{path}.frequency"), frequency);
-                }
-            }
         }
+        if side.surface().is_some() {
+            made_of(&path, side, laws, problems);
+        }
+        if let Some(vibration) = side.vibration() {
+            vibrates(&path, vibration, problems);
+        }
+    }
+}
+
+fn vibrates(path: &str, [amplitude, frequency, phase]: [f64; 3], problems: &mut Problems) {
+    problems.finite(&format!("{path}.phase"), &[phase]);
+    problems.not_negative(&format!("{path}.amplitude"), amplitude);
+    if amplitude > 0.0 {
+        problems.positive(&format!("{path}.frequency"), frequency);
     }
 }
 
@@ -225,15 +227,30 @@ fn range(path: &str, from: Option<f64>, to: Option<f64>, problems: &mut Problems
     }
 }
 
-fn made_of(path: &str, surface: SurfaceSpec, restitution: Option<f64>, problems: &mut Problems) {
-    let path = format!("{path}.restitution");
-    match (surface, restitution) {
-        (SurfaceSpec::Hard, Some(e)) => _ = problems.fraction(&path, e),
-        (SurfaceSpec::Hard, None) => problems.say(&path, format!("{path}: hard walls need one")),
-        (SurfaceSpec::Soft, Some(_)) => {
-            problems.say(&path, format!("{path}: soft walls follow the law and have none"));
+fn made_of(path: &str, side: &SideSpec, laws: &Laws, problems: &mut Problems) {
+    let (surface, e, named) = side.surface().unwrap_or_default();
+    let restitution = format!("{path}.restitution");
+    if named.is_some() {
+        material(laws, path, named, problems);
+        if surface.is_some() || e.is_some() {
+            let rest =
+                "is given, and so is surface or restitution: the material says what walls do";
+            problems.add(format!("{path}.material"), rest);
         }
-        (SurfaceSpec::Soft, None) => {}
+        return;
+    }
+    match (surface, e) {
+        (_, Some(e)) if surface != Some(SurfaceSpec::Soft) => {
+            problems.fraction(&restitution, e);
+        }
+        (Some(SurfaceSpec::Hard), None) => {
+            problems.say(&restitution, format!("{restitution}: hard walls need one"));
+        }
+        (_, Some(_)) => {
+            let message = format!("{restitution}: soft walls follow the law and have none");
+            problems.say(&restitution, message);
+        }
+        (_, None) => {}
     }
 }
 
@@ -250,8 +267,8 @@ fn methods(scenario: &Scenario, problems: &mut Problems) {
         if method == MethodName::EmdStar && !has_force || is_force_based && has_constant {
             say(method, "a force law, but law.kind is constant");
         }
-        if is_force_based && scenario.hard_walls().is_some() {
-            say(method, "soft walls, but the box has hard ones");
+        if is_force_based && scenario.event_driven_walls().is_some() {
+            say(method, "soft walls at rest, but the box has others");
         }
         if is_force_based && !scenario.drives.is_empty() {
             say(method, "grains that nothing drives, but there is [[drive]]");
@@ -339,8 +356,15 @@ fn touches(scenario: &Scenario, laws: &Laws, problems: &mut Problems) {
     used.extend(scenario.species.iter().filter_map(|species| named(&species.material)));
     used.sort_unstable();
     used.dedup();
+    let of_wall = |side: &SideSpec| {
+        let (_, _, material) = side.surface()?;
+        laws.number(material.map(|name| name.as_str()).or(Some(""))).ok()
+    };
+    let walls: Vec<usize> =
+        scenario.sides.named().into_iter().filter_map(|(_, side)| of_wall(side)).collect();
     for (k, &a) in used.iter().enumerate() {
-        for &b in used[k..].iter().filter(|&&b| laws.between(a, b).is_none()) {
+        let others = used[k..].iter().chain(&walls);
+        for &b in others.filter(|&&b| laws.between(a, b).is_none()) {
             let [a, b] = [a, b].map(|number| laws.names[number].as_str());
             let message = match a == b {
                 true if a.is_empty() => "there is no law: add [law] or a [[material]]".to_owned(),

@@ -139,17 +139,15 @@ fn wall(scenario: &Scenario, path: &str, (axis, end): (Axis, EndName), problems:
         SideSpec::Plate { .. } => end == EndName::Low,
         SideSpec::Open | SideSpec::Periodic { .. } => false,
     };
-    let surface = match side {
-        SideSpec::Walls { surface, .. } | SideSpec::Plate { surface, .. } => Some(*surface),
-        _ => None,
-    };
+    let (surface, restitution, _) = side.surface().unwrap_or_default();
+    let is_hard = surface == Some(SurfaceSpec::Hard) || restitution.is_some();
     if !is_there || axis as usize >= scenario.dimension {
         let which = if end == EndName::Low { "lower" } else { "upper" };
         problems.add(
             format!("{path}.axis"),
             format!("is {name:?}, but box.{name} has no {which} wall"),
         );
-    } else if surface == Some(SurfaceSpec::Soft) {
+    } else if !is_hard {
         let rest =
             format!("is {name:?}, but box.{name} has soft walls; a thermal one must be hard");
         problems.add(format!("{path}.axis"), rest);
@@ -207,7 +205,7 @@ fn plane(start: &Start, axis: Axis, end: EndName) -> usize {
     let planes = |side: &Side| match side {
         Side::Open | Side::Periodic(_) => 0,
         Side::Plate(..) => 1,
-        Side::Soft(_) | Side::Hard(..) => 2,
+        Side::Walls(..) => 2,
     };
     start.sides[..axis as usize].iter().map(planes).sum::<usize>() + end as usize
 }

@@ -43,7 +43,7 @@ pub use options::{EnduringSpec, MatrixSpec, Options, OutsideSpec, ReleaseSpec};
 pub use problem::Problem;
 pub use read::{Found, examine, examine_file};
 pub use schema::schema;
-pub use side::{Placed, Side};
+pub use side::{Made, Placed, Shaking, Side};
 pub use sides::{SideSpec, Sides, SurfaceSpec};
 pub use spec::{MethodName, Scenario};
 pub use start::Start;

@@ -77,7 +77,14 @@ fn of_file<'s>(
     rng: &mut Pcg64,
 ) -> Result<Population<'s>, Problem> {
     let mut told = frames::read(file, frame)?;
-    told.retain(|one| only.is_none() || one.species.as_deref() == only);
+    // Files of other kinds than CSV have no blanks in names.
+    let without_blanks = |name: &str| name.split_whitespace().collect::<Vec<_>>().join("-");
+    told.retain(|one| {
+        only.is_none_or(|only| {
+            let of = one.species.as_deref();
+            of == Some(only) || of == Some(&without_blanks(only))
+        })
+    });
     let no = |what: &str| Problem {
         path: String::new(),
         offset: None,

@@ -36,7 +36,7 @@ impl Region {
         let mut lidless = None;
         for (axis, side) in sides.iter().enumerate().take(dimension) {
             let (from, to) = (corner(from, axis), corner(to, axis));
-            let (low, high) = ends(side);
+            let [low, high] = side.room();
             let is_whole =
                 from.is_none_or(|from| Some(from) == low) && to.is_none_or(|to| Some(to) == high);
             region.periodic[axis] = matches!(side, Side::Periodic(_)) && is_whole;
@@ -73,14 +73,6 @@ impl Region {
     /// Length, area or volume.
     pub fn volume(&self) -> f64 {
         (0..self.dimension).map(|axis| self.length(axis)).product()
-    }
-}
-
-/// Where an axis begins and ends, a plate at its highest.
-fn ends(side: &Side) -> (Option<f64>, Option<f64>) {
-    match side {
-        Side::Plate(plate, _) => (Some(plate.at + plate.amplitude.abs()), None),
-        _ => (side.range().map(|[from, _]| from), side.range().map(|[_, to]| to)),
     }
 }
 

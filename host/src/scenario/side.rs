@@ -27,12 +27,32 @@ pub enum Side {
     Open,
     /// The box repeats from the first to the second number.
     Periodic([f64; 2]),
-    /// Walls that follow the contact law.
-    Soft([f64; 2]),
-    /// Walls with this coefficient of restitution.
-    Hard([f64; 2], f64),
-    /// A plate below, soft or with this coefficient of restitution; nothing above.
-    Plate(Plate, Option<f64>),
+    /// Two walls, which may vibrate together; the phase is that of both.
+    Walls([f64; 2], Made, Option<Shaking>),
+    /// A plate below; nothing above.
+    Plate(Plate, Made),
+}
+
+/// What a wall is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Made {
+    /// It follows the contact law of two of the grain's own material.
+    Soft,
+    /// It has this coefficient of restitution.
+    Hard(f64),
+    /// It follows the law of this material and the grain's.
+    Of(u8),
+}
+
+/// How walls vibrate: by A₀ sin(2π (f t + φ)).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shaking {
+    /// A₀.
+    pub amplitude: f64,
+    /// f.
+    pub frequency: f64,
+    /// φ, in turns.
+    pub phase: f64,
 }
 
 impl Side {
@@ -40,7 +60,20 @@ impl Side {
     pub const fn range(&self) -> Option<[f64; 2]> {
         match *self {
             Self::Open | Self::Plate(..) => None,
-            Self::Periodic(range) | Self::Soft(range) | Self::Hard(range, _) => Some(range),
+            Self::Periodic(range) | Self::Walls(range, ..) => Some(range),
+        }
+    }
+
+    /// Where there is never a wall, if the axis has ends: a plate has one only.
+    pub fn room(&self) -> [Option<f64>; 2] {
+        let shaken = match self {
+            Self::Walls(_, _, Some(shaking)) => shaking.amplitude.abs(),
+            _ => 0.0,
+        };
+        match (self, self.range()) {
+            (Self::Plate(plate, _), _) => [Some(plate.at + plate.amplitude.abs()), None],
+            (_, Some([from, to])) => [Some(from + shaken), Some(to - shaken)],
+            (_, None) => [None, None],
         }
     }
 

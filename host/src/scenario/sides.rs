@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// What bounds each axis.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sides {
     /// First axis.
@@ -22,7 +22,7 @@ pub struct Sides {
 }
 
 /// What bounds one axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
 pub enum SideSpec {
     /// Nothing.
@@ -41,10 +41,23 @@ pub enum SideSpec {
         from: Option<f64>,
         /// Upper wall (m).
         to: Option<f64>,
-        /// Soft walls follow the contact law; hard ones need `restitution`.
-        surface: SurfaceSpec,
+        /// Soft walls follow the contact law; hard ones need `restitution`. May be left out: hard if
+        /// there is a restitution, else soft.
+        surface: Option<SurfaceSpec>,
         /// Coefficient of restitution of hard walls.
         restitution: Option<f64>,
+        /// Or: the name of the `[[material]]` they are made of; the law is that of it and the grain's.
+        material: Option<String>,
+        /// A₀ (m): both walls are where `from` and `to` say, and A₀ sin(2π (f t + φ)) further on; 0,
+        /// the default, is at rest.
+        #[serde(default)]
+        amplitude: f64,
+        /// f (Hz).
+        #[serde(default)]
+        frequency: f64,
+        /// φ, in turns.
+        #[serde(default)]
+        phase: f64,
     },
     /// A plate below, z₀(t) = at + A₀ sin(2π (f t + φ)) (L94, Eq. 1); nothing above.
     Plate {
@@ -59,11 +72,45 @@ pub enum SideSpec {
         /// φ, in turns.
         #[serde(default)]
         phase: f64,
-        /// Soft plates follow the contact law; hard ones need `restitution`.
-        surface: SurfaceSpec,
+        /// Soft plates follow the contact law; hard ones need `restitution`. May be left out: hard if
+        /// there is a restitution, else soft.
+        surface: Option<SurfaceSpec>,
         /// Coefficient of restitution of a hard plate.
         restitution: Option<f64>,
+        /// Or: the name of the `[[material]]` it is made of.
+        material: Option<String>,
     },
+}
+
+impl SideSpec {
+    /// What walls and plates are said to be: surface, restitution and material.
+    pub fn surface(&self) -> Option<(Option<SurfaceSpec>, Option<f64>, Option<&String>)> {
+        match self {
+            Self::Walls { surface, restitution, material, .. }
+            | Self::Plate { surface, restitution, material, .. } => {
+                Some((*surface, *restitution, material.as_ref()))
+            }
+            Self::Open | Self::Periodic { .. } => None,
+        }
+    }
+
+    /// Amplitude, frequency and phase of walls and plates.
+    pub fn vibration(&self) -> Option<[f64; 3]> {
+        match *self {
+            Self::Walls { amplitude, frequency, phase, .. }
+            | Self::Plate { amplitude, frequency, phase, .. } => {
+                Some([amplitude, frequency, phase])
+            }
+            Self::Open | Self::Periodic { .. } => None,
+        }
+    }
+}
+
+impl Sides {
+    /// The axes by name.
+    pub fn named(&self) -> [(&'static str, &SideSpec); 3] {
+        [("x", &self.x), ("y", &self.y), ("z", &self.z)]
+    }
 }
 
 /// What walls are made of.

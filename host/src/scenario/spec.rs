@@ -144,22 +144,24 @@ impl Scenario {
         let has_force = self.laws().any(|law| law.has_force());
         match self.only_law() {
             _ if !has_force => vec![MethodName::Emd],
-            Some(_) if self.hard_walls().is_none() && self.drives.is_empty() => {
+            Some(_) if self.event_driven_walls().is_none() && self.drives.is_empty() => {
                 MethodName::ALL.to_vec()
             }
             _ => vec![MethodName::Emd, MethodName::EmdStar],
         }
     }
 
-    /// The first axis with hard walls, which no force-based method knows.
-    pub fn hard_walls(&self) -> Option<&'static str> {
-        let sides = [("x", &self.sides.x), ("y", &self.sides.y), ("z", &self.sides.z)];
-        let hard = |side: &SideSpec| match side {
-            SideSpec::Walls { surface, .. } | SideSpec::Plate { surface, .. } => {
-                *surface == SurfaceSpec::Hard
-            }
-            _ => false,
+    /// The first axis with walls that no force-based method knows: hard, or of a material, or two that
+    /// vibrate.
+    pub fn event_driven_walls(&self) -> Option<&'static str> {
+        let is_one = |side: &SideSpec| {
+            let (surface, restitution, material) = side.surface().unwrap_or_default();
+            let vibrates = side.vibration().is_some_and(|[amplitude, ..]| amplitude != 0.0);
+            surface == Some(SurfaceSpec::Hard)
+                || restitution.is_some()
+                || material.is_some()
+                || vibrates && matches!(side, SideSpec::Walls { .. })
         };
-        sides.into_iter().find(|(_, side)| hard(side)).map(|(name, _)| name)
+        self.sides.named().into_iter().find(|(_, side)| is_one(side)).map(|(name, _)| name)
     }
 }

@@ -5,7 +5,7 @@ use super::grains::GrainSpec;
 use super::laws::Laws;
 use super::populate::{self, Population};
 use super::problem::Problem;
-use super::side::{Placed, Side, filled, sphere_mass};
+use super::side::{Made, Placed, Shaking, Side, filled, sphere_mass};
 use super::sides::{SideSpec, SurfaceSpec};
 use super::spec::Scenario;
 use anyhow::Result;
@@ -28,6 +28,8 @@ pub struct Start {
     pub species: Vec<u16>,
     /// What species are called; grains that are listed one by one are the first, and a gas the next.
     pub species_names: Vec<String>,
+    /// Whether the scenario has `[[species]]`.
+    pub has_species: bool,
     /// What two materials do when they touch.
     pub laws: Laws,
 }
@@ -59,9 +61,10 @@ impl Start {
             .map(|species| density(scenario, &laws, species.density, species.material.as_deref()))
             .collect();
         let mut populations = populate::populations(scenario, &densities)?;
-        let sides = sides(scenario, &populations)?;
+        let sides = sides(scenario, &laws, &populations)?;
         let mut start = Self { dimension: scenario.dimension, sides, laws, ..Self::default() };
         start.gravity = padded(&scenario.gravity);
+        start.has_species = !scenario.species.is_empty();
         start.list(scenario);
         start.scatter(scenario)?;
         start.populate(scenario, &mut populations)?;
@@ -139,37 +142,48 @@ fn padded(numbers: &[f64]) -> [f64; 3] {
 }
 
 /// The box, its size set by a packing fraction where sides say none.
-fn sides(scenario: &Scenario, populations: &[Population<'_>]) -> Result<[Side; 3], Problem> {
-    let specs = [scenario.sides.x, scenario.sides.y, scenario.sides.z];
+fn sides(
+    scenario: &Scenario,
+    laws: &Laws,
+    populations: &[Population<'_>],
+) -> Result<[Side; 3], Problem> {
     let edge = edge(scenario, populations)?;
     let mut sides = [Side::Open; 3];
-    for (axis, (side, spec)) in sides.iter_mut().zip(specs).enumerate() {
+    for (side, (name, spec)) in sides.iter_mut().zip(scenario.sides.named()) {
         let range = |from: Option<f64>, to: Option<f64>| match (from, to, edge) {
             (Some(from), Some(to), _) => Ok([from, to]),
             (_, _, Some(edge)) => Ok([0.0, edge]),
             _ => {
-                let name = ["x", "y", "z"][axis];
                 let message = format!(
                     "box.{name}: give from and to [m], or gas.packing_fraction or box.packing_fraction"
                 );
                 Err(Problem { path: format!("box.{name}"), offset: None, message })
             }
         };
-        *side = match spec {
+        let made = made(laws, spec);
+        *side = match *spec {
             SideSpec::Open => Side::Open,
             SideSpec::Periodic { from, to } => Side::Periodic(range(from, to)?),
-            SideSpec::Walls { from, to, surface: SurfaceSpec::Soft, .. } => {
-                Side::Soft(range(from, to)?)
+            SideSpec::Walls { from, to, amplitude, frequency, phase, .. } => {
+                let shaking = Shaking { amplitude, frequency, phase };
+                Side::Walls(range(from, to)?, made, (amplitude != 0.0).then_some(shaking))
             }
-            SideSpec::Walls { from, to, surface: SurfaceSpec::Hard, restitution } => {
-                Side::Hard(range(from, to)?, restitution.unwrap_or(1.0))
-            }
-            SideSpec::Plate { at, amplitude, frequency, phase, restitution, .. } => {
-                Side::Plate(Plate { at, amplitude, frequency, phase }, restitution)
+            SideSpec::Plate { at, amplitude, frequency, phase, .. } => {
+                Side::Plate(Plate { at, amplitude, frequency, phase }, made)
             }
         };
     }
     Ok(sides)
+}
+
+fn made(laws: &Laws, side: &SideSpec) -> Made {
+    let (surface, restitution, material) = side.surface().unwrap_or_default();
+    match (material, restitution) {
+        (Some(name), _) => Made::Of(laws.number(Some(name)).unwrap_or(0) as u8),
+        (None, Some(restitution)) => Made::Hard(restitution),
+        (None, None) if surface == Some(SurfaceSpec::Hard) => Made::Hard(1.0),
+        (None, None) => Made::Soft,
+    }
 }
 
 /// How long the sides are that say no size, so that the packing fraction is what the scenario says.
@@ -190,9 +204,8 @@ fn edge(scenario: &Scenario, populations: &[Population<'_>]) -> Result<Option<f6
         }
     };
     let d = scenario.dimension;
-    let specs = [scenario.sides.x, scenario.sides.y, scenario.sides.z];
     let (mut sized, mut unsized_axes, mut has_plate) = (1.0, 0, false);
-    for spec in &specs[..d] {
+    for (_, spec) in &scenario.sides.named()[..d] {
         match spec {
             SideSpec::Periodic { from, to } | SideSpec::Walls { from, to, .. } => {
                 match (from, to) {

@@ -1,6 +1,6 @@
 //! Who overlaps whom? Reads grains and box; writes nothing, returns flags.
 
-use super::side::{Placed, Side};
+use super::side::{Made, Placed, Side};
 use super::start::Start;
 
 /// Whether each grain overlaps something.
@@ -39,9 +39,14 @@ fn overlap(start: &Start, a: &Placed, b: &Placed) -> bool {
 
 fn on_wall(start: &Start, grain: &Placed) -> bool {
     start.sides.iter().zip(grain.position).any(|(side, x)| match *side {
-        Side::Soft([from, to]) => x - from < grain.radius || to - x < grain.radius,
-        // Wherever a plate is now, it is not above its highest place.
-        Side::Plate(plate, None) => x - plate.at - plate.amplitude < grain.radius,
-        _ => false,
+        Side::Periodic(_) | Side::Plate(_, Made::Hard(_)) | Side::Walls(_, Made::Hard(_), _) => {
+            false
+        }
+        // Wherever a wall is now, it is not further in.
+        _ => {
+            let [low, high] = side.room();
+            low.is_some_and(|low| x - low < grain.radius)
+                || high.is_some_and(|high| high - x < grain.radius)
+        }
     })
 }
