@@ -48,5 +48,7 @@ fn too_many_grains_are_refused() {
     let file = "tests/data/fuzz/scenario/manual-too-many.toml";
     let text = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
     let why = body::scenario::run(&text).unwrap_err().to_string();
-    assert_eq!(why, "gas.count is 9000000000000000000, must be from 1 to 100000000");
+    // How much memory there is, is the machine's affair.
+    let wanted = "line 12: gas.count is 9000000000000000000: so many grains need 3780000000000.0 GB of memory";
+    assert!(why.starts_with(wanted), "{why}");
 }
