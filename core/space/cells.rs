@@ -3,36 +3,19 @@
 use super::grid::{CellFace, Grid};
 #[cfg(feature = "alloc")]
 use super::levels::Levels;
+use super::link::{END, Link, MORE};
 #[cfg(feature = "alloc")]
 use super::look_in_levels::From;
+#[cfg(not(feature = "alloc"))]
+use super::neighbour_lists::NeighbourBatch;
 #[cfg(feature = "alloc")]
-use super::neighbours::{BATCH, END, MORE, NeighbourBatch, put};
+use super::neighbours::{BATCH, NeighbourBatch, put};
 #[cfg(not(feature = "alloc"))]
 use super::one_level::Levels;
-#[cfg(not(feature = "alloc"))]
-use super::walk::{END, MORE, NeighbourBatch};
 use crate::particle::{Body, Index};
 use crate::scalar::Scalar;
 #[cfg(feature = "alloc")]
 use crate::scalar::Vector;
-
-/// Before and after in the list of a grain's cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Link {
-    pub(super) next: Index,
-    pub(super) previous: Index,
-}
-
-impl Link {
-    /// A place in memory that no grain has: all bits zero.
-    pub(crate) const VACANT: Self = Self { next: Index::ZERO, previous: Index::ZERO };
-}
-
-impl Default for Link {
-    fn default() -> Self {
-        Self { next: Index::new(END), previous: Index::new(END) }
-    }
-}
 
 /// The lists of grains in cells, in borrowed memory.
 pub(crate) struct Cells<'m, S: Scalar, const D: usize> {

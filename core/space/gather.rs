@@ -2,7 +2,8 @@
 
 use super::cells::Cells;
 use super::grid::{CellBlock, NOWHERE, Steps};
-use super::neighbours::{BATCH, END, NeighbourBatch, put};
+use super::link::END;
+use super::neighbours::{BATCH, NeighbourBatch, put};
 use crate::scalar::Scalar;
 
 impl<S: Scalar, const D: usize> Cells<'_, S, D> {
@@ -76,7 +77,7 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
             for link in some {
                 // In an empty place a link names itself.
                 put(&mut batch.grains, batch.count, grain);
-                batch.count += usize::from(link.previous.get() != grain);
+                batch.count += usize::from(link.is_of(grain));
                 grain += 1;
             }
             batch.flush(filler, visit);

@@ -12,8 +12,11 @@ mod gather;
 mod grid;
 #[cfg(feature = "alloc")]
 mod levels;
+mod link;
 #[cfg(feature = "alloc")]
 mod look_in_levels;
+#[cfg(not(feature = "alloc"))]
+mod neighbour_lists;
 #[cfg(feature = "alloc")]
 mod neighbours;
 #[cfg(not(feature = "alloc"))]
@@ -26,7 +29,7 @@ mod sight;
 mod walk;
 
 pub use boundary::{Boundary, MAX_PLANES, PeriodicAxis};
-pub use cells::Link;
+pub use link::Link;
 pub use plane::{Plane, Surface};
 pub use plane_motion::{Drift, Vibration};
 
@@ -36,11 +39,11 @@ pub(crate) use cells::Cells;
 pub(crate) use choose_levels::choose_cells;
 pub(crate) use domain::Domain;
 pub(crate) use grid::{CellFace, Grid};
+#[cfg(not(feature = "alloc"))]
+pub(crate) use neighbour_lists::NeighbourBatch;
 #[cfg(feature = "alloc")]
 pub(crate) use neighbours::{BATCH, NeighbourBatch};
 #[cfg(not(feature = "alloc"))]
 pub(crate) use one_level::choose_cells;
 pub(crate) use particles::{Particles, largest_radius};
 pub(crate) use sight::{Sight, crowd_gap};
-#[cfg(not(feature = "alloc"))]
-pub(crate) use walk::NeighbourBatch;

@@ -1,12 +1,7 @@
 //! How are neighbours handed on? In batches of a fixed size, gathered from the lists of cells; reads lists, writes batches.
 
+use super::link::{END, MORE};
 use crate::scalar::LANES;
-
-/// The end of a cell's list.
-pub(super) const END: u32 = u32::MAX >> 1;
-
-/// A bit of the head of a list with more than one grain.
-pub(super) const MORE: u32 = 1 << 31;
 
 /// How many neighbours are visited at a time: a multiple of the lanes, and more than cells are visited at a time.
 pub(crate) const BATCH: usize = 32;

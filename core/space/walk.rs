@@ -1,47 +1,11 @@
 //! How are neighbours handed on without the feature `alloc`? All of a look at once, list by list; reads lists, writes nothing.
-//!
-//! On small machines nothing is gained by gathering first: they neither guess branches nor read ahead.
 
-use super::cells::{Cells, Link};
+use super::cells::Cells;
 use super::grid::{CellBlock, MAX_AXES, NOWHERE};
+use super::link::END;
+use super::neighbour_lists::NeighbourBatch;
 use crate::particle::Index;
 use crate::scalar::{Scalar, Vector};
-
-/// The end of a cell's list.
-pub(super) const END: u32 = u16::MAX as u32;
-
-/// No bit of a head says how long its list is.
-pub(super) const MORE: u32 = 0;
-
-/// Those in the cells around one; without cells all grains.
-pub(crate) struct NeighbourBatch<'a> {
-    cells: &'a CellBlock,
-    heads: &'a [Index],
-    links: &'a [Link],
-    /// Whether they are the nearest images of those in the cell looked from.
-    pub same_image: bool,
-}
-
-impl NeighbourBatch<'_> {
-    /// Visits the grains.
-    #[inline(always)]
-    pub fn for_each(&self, mut visit: impl FnMut(u32)) {
-        let [one, near, far] = &self.cells.steps;
-        for far in far.iter().filter(|far| **far < NOWHERE) {
-            for row in near.iter().map(|near| far + near).filter(|row| *row < NOWHERE) {
-                for step in one {
-                    // There is no list beyond the last cell, so none where there is no step.
-                    let head = self.heads.get((row + step) as usize);
-                    let mut grain = head.map_or(END, |head| head.get());
-                    while let Some(link) = self.links.get(grain as usize) {
-                        visit(grain);
-                        grain = link.next.get();
-                    }
-                }
-            }
-        }
-    }
-}
 
 impl<S: Scalar, const D: usize> Cells<'_, S, D> {
     /// Visits the grains of these cells.
@@ -109,12 +73,5 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
                 next = grain;
             }
         }
-    }
-}
-
-impl Link {
-    /// Whether there is a grain in this place: in an empty one a link names itself.
-    fn is_of(&self, grain: u32) -> bool {
-        self.previous.get() != grain
     }
 }

@@ -1,12 +1,13 @@
 //! Can this scenario be run? Reads a scenario whose fields are all there; writes a list of what is wrong.
 
-use super::grains::{Gas, GrainSpec, RadiusSpec};
-use super::law::LawSpec;
+use super::check_fields::{density, material, radius};
+use super::check_laws::materials;
+use super::grains::{Gas, GrainSpec};
 use super::laws::Laws;
 use super::problem::Problems;
 use super::sides::{SideSpec, SurfaceSpec};
 use super::spec::{MethodName, Scenario};
-use super::{check_species, drive, memory};
+use super::{check_drive, check_species, memory};
 
 /// Everything that is wrong with it.
 pub fn check(scenario: &Scenario) -> Problems {
@@ -45,7 +46,7 @@ pub fn check(scenario: &Scenario) -> Problems {
         gas(scenario, &laws, one, &mut problems);
     }
     check_species::check(scenario, &laws, &mut problems);
-    drive::check(scenario, &mut problems);
+    check_drive::check(scenario, &mut problems);
     // Who is called by a wrong name seems to have no law, either.
     let is_about_names = |path: &str| path.ends_with(".between") || path.ends_with(".name");
     if !problems.0.iter().any(|problem| is_about_names(&problem.path)) {
@@ -76,105 +77,6 @@ fn sample(scenario: &Scenario, problems: &mut Problems) {
         let rest =
             format!("is {sample:?}, must be at least {least:?}: duration in {MAX_SAMPLES} parts");
         problems.add("sample", rest);
-    }
-}
-
-fn law(path: &str, law: &LawSpec, problems: &mut Problems) {
-    let below = |field: &str| format!("{path}.{field}");
-    match *law {
-        LawSpec::Lsd { stiffness, damping } => {
-            problems.positive(&below("stiffness"), stiffness);
-            problems.not_negative(&below("damping"), damping);
-        }
-        LawSpec::Viscoelastic { young, poisson, dissipation } => {
-            problems.positive(&below("young"), young);
-            let is_right = poisson > -1.0 && poisson <= 0.5;
-            problems.must(&below("poisson"), poisson, is_right, "above -1 and at most 0.5");
-            problems.not_negative(&below("dissipation"), dissipation);
-        }
-        LawSpec::Constant { restitution } => {
-            problems.fraction(&below("restitution"), restitution);
-        }
-    }
-}
-
-/// A law or its short form.
-fn one_law(path: &str, given: (Option<&LawSpec>, Option<f64>), problems: &mut Problems) {
-    match given {
-        (Some(_), Some(_)) => {
-            problems
-                .add(format!("{path}.restitution"), "is given, and so is law: give one of them");
-        }
-        (Some(one), None) => law(&format!("{path}.law"), one, problems),
-        (None, Some(e)) => _ = problems.fraction(&format!("{path}.restitution"), e),
-        (None, None) => {}
-    }
-}
-
-/// The number of different materials that the engine can tell apart.
-const MAX_MATERIALS: usize = 256;
-
-fn materials(scenario: &Scenario, problems: &mut Problems) -> Laws {
-    if let Some(one) = &scenario.law {
-        law("law", one, problems);
-    }
-    let count = scenario.materials.len();
-    if count > MAX_MATERIALS {
-        problems.say("material", format!("there are {count} materials, {MAX_MATERIALS} at most"));
-    }
-    for (k, material) in scenario.materials.iter().enumerate() {
-        let path = format!("material.{k}");
-        if let Some(density) = material.density {
-            problems.positive(&format!("{path}.density"), density);
-        }
-        if scenario.materials[..k].iter().any(|other| other.name == material.name) {
-            let rest = format!("is {:?}, which another material is called too", material.name);
-            problems.add(format!("{path}.name"), rest);
-        }
-        one_law(&path, (material.law.as_ref(), material.restitution), problems);
-    }
-    let laws = Laws::new(scenario);
-    for (k, pair) in scenario.pairs.iter().enumerate() {
-        let path = format!("pair.{k}");
-        for name in &pair.between {
-            if let Err(rest) = laws.number(Some(name)) {
-                problems.add(format!("{path}.between"), rest);
-            }
-        }
-        one_law(&path, (pair.law.as_ref(), pair.restitution), problems);
-        if pair.law.is_none() && pair.restitution.is_none() {
-            problems.say(&path, format!("pair {k}: give one of law and restitution"));
-        }
-    }
-    laws
-}
-
-/// The number of a material that is named somewhere, if there is one.
-pub fn material(
-    laws: &Laws,
-    path: &str,
-    name: Option<&String>,
-    problems: &mut Problems,
-) -> Option<usize> {
-    let found = laws.number(name.map(String::as_str));
-    found.map_err(|rest| problems.add(format!("{path}.material"), rest)).ok()
-}
-
-/// Whether there is a density, and a right one.
-pub fn density(
-    scenario: &Scenario,
-    path: &str,
-    own: Option<f64>,
-    material: Option<usize>,
-    problems: &mut Problems,
-) {
-    let of_material = material.and_then(|number| scenario.materials.get(number)?.density);
-    match (own, of_material, material) {
-        (Some(density), ..) => _ = problems.positive(&format!("{path}.density"), density),
-        (None, None, Some(_)) => {
-            problems.add(format!("{path}.density"), "is missing, and its material has none");
-        }
-        _ => {}
     }
 }
 
@@ -316,35 +218,6 @@ fn gas(scenario: &Scenario, laws: &Laws, gas: &Gas, problems: &mut Problems) {
     problems.not_negative("gas.thermal_speed", gas.thermal_speed);
     if let Some(packing) = gas.packing_fraction {
         problems.packing("gas.packing_fraction", packing);
-    }
-}
-
-/// Whether all radii that can come of it are right.
-pub fn radius(path: &str, radius: &RadiusSpec, problems: &mut Problems) {
-    match radius {
-        RadiusSpec::One(radius) => _ = problems.positive(path, *radius),
-        RadiusSpec::Range([small, large]) | RadiusSpec::Uniform { uniform: [small, large] } => {
-            if problems.positive(path, *small) && !(large.is_finite() && large >= small) {
-                let rest =
-                    format!("is [{small}, {large}], must be the smallest and then the largest");
-                problems.add(path, rest);
-            }
-        }
-        RadiusSpec::Gaussian { mean, deviation } => {
-            let third = format!("at least 0 and less than a third of mean, {mean}");
-            let is_right = *deviation >= 0.0 && 3.0 * deviation < *mean;
-            if problems.positive(&format!("{path}.mean"), *mean) {
-                problems.must(&format!("{path}.deviation"), *deviation, is_right, &third);
-            }
-        }
-        RadiusSpec::List { list } if list.is_empty() => {
-            problems.add(format!("{path}.list"), "is empty, must have at least one radius");
-        }
-        RadiusSpec::List { list } => {
-            for (k, radius) in list.iter().enumerate() {
-                problems.positive(&format!("{path}.list.{k}"), *radius);
-            }
-        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Can these species be placed? Reads species; writes a list of what is wrong.
 
-use super::check::{density, material, radius};
+use super::check_fields::{density, material, radius};
 use super::grains::{PlaceSpec, SpeciesSpec};
 use super::laws::Laws;
 use super::memory;

@@ -2,6 +2,9 @@
 
 mod arrange;
 mod check;
+mod check_drive;
+mod check_fields;
+mod check_laws;
 mod check_species;
 mod compress;
 mod document;
@@ -27,13 +30,14 @@ mod schema;
 mod shape;
 mod side;
 mod sides;
+mod sources;
 mod spec;
 mod stack;
 mod start;
 mod thermal;
 mod touching;
 
-pub use drive::{DriveSpec, EndName, sources};
+pub use drive::{DriveSpec, EndName};
 pub use fields::fields;
 pub use grains::{Gas, GrainSpec, LatticeName, PlaceSpec, RadiusSpec, SpeciesSpec};
 pub use law::{LawSpec, MaterialSpec, PairLawSpec};
@@ -45,6 +49,7 @@ pub use read::{Found, examine, examine_file};
 pub use schema::schema;
 pub use side::{Made, Placed, Shaking, Side};
 pub use sides::{SideSpec, Sides, SurfaceSpec};
+pub use sources::sources;
 pub use spec::{MethodName, Scenario};
 pub use start::Start;
 pub use touching::touching;
