@@ -33,6 +33,9 @@ need qemu-system-arm qemu-system-arm
 need qemu-system-riscv32 qemu-system-misc
 need node nodejs
 need nm binutils
+need c++ g++
+need arm-none-eabi-g++ gcc-arm-none-eabi
+[[ -d /usr/lib/arm-none-eabi/include ]] || missing+=(libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib)
 for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
   [[ $installed == *"$target"* ]] || debian=true
 done
@@ -231,6 +234,11 @@ row wasm32 "$(compare wasm32 "$work/wasm32" node firmware/wasm/replay.mjs "$modu
 say "testing soft-float ($SECONDS s)"
 cargo test --quiet --release --locked --manifest-path firmware/soft-float/Cargo.toml >"$work/soft-float" 2>&1 ||
   { cat "$work/soft-float" >&2 && failed=1; }
+
+# From C, on this machine and as an Arduino sketch.
+build c thumbv7em-none-eabihf --lib --no-default-features
+say "carom from C ($SECONDS s)"
+c/test.sh "$CARGO_TARGET_DIR/thumbv7em-none-eabihf/release/libcarom_c.a" >&2 || { say "c: failed" && failed=1; }
 
 say "building web ($SECONDS s)"
 web() { env -u CARGO_TARGET_DIR "web/$1" "${@:2}" >"$work/web" 2>&1 || { tail -200 "$work/web" >&2 && failed=1 && false; }; }

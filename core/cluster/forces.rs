@@ -4,6 +4,7 @@
 
 use super::contact::Touching;
 use super::members::Clusters;
+use super::order::put_last_in_order;
 use super::settings::Settings;
 use super::sleep::rounded_speed;
 use crate::law::{Impact, Rule};
@@ -211,12 +212,13 @@ fn along_first_axis<S: Scalar, const D: usize>() -> Vector<S, D> {
 
 /// Keeps a number among the smallest, in order.
 fn insert<const N: usize>(some: &mut Few<N>, k: usize) {
-    let place = some.iter().position(|&other| other > k).unwrap_or(some.len());
     if some.is_full() {
-        if place == some.len() {
+        if some.last().is_none_or(|&last| last < k) {
             return;
         }
         some.pop();
     }
-    let _ = some.insert(place, k);
+    if some.push(k).is_ok() {
+        put_last_in_order(some);
+    }
 }

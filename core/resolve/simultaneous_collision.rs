@@ -9,6 +9,7 @@ use super::context::Context;
 use super::crowded_collision::{kick, min_parting_speed};
 use super::impact_frame::ImpactFrame;
 use super::plane_collision;
+use crate::cluster::put_last_in_order;
 use crate::law::{Impact, Response, Rule};
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, dot};
@@ -87,9 +88,9 @@ impl<S: Scalar, const D: usize> Crowd<S, D> {
         context.particles.cells.for_each_near(body.cell, body.radius, |k| {
             if k != grain && self.touches(context, (place, &body), k) {
                 fits &= near.push(k).is_ok();
+                put_last_in_order(&mut near);
             }
         });
-        near.sort_unstable();
         for &k in near.iter().filter(|_| fits) {
             self.add_pair(context, rule, (place, &body), k)?;
         }

@@ -16,11 +16,12 @@ const ROOMS: [&str; 10] = [
 ];
 
 /// Where the crates' sources are.
-const SOURCES: [&str; 7] = [
+const SOURCES: [&str; 8] = [
     "core",
     "tables/src",
     "host/src",
     "host/reference/src",
+    "examples/c/src",
     "examples/scenes/src",
     "examples/tilt-box/scene/src",
     "examples/web/src",

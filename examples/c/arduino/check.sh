@@ -16,7 +16,7 @@ sketch=$folder/examples/TiltBox/TiltBox.ino
 arm-none-eabi-g++ -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -std=gnu++17 -Os -Wall -Wextra -Werror \
   -ffunction-sections -fdata-sections -fno-exceptions -fno-rtti -nostartfiles --specs=nano.specs \
   -Iboard -I"$folder/src" -include Arduino.h -x c++ "$sketch" board/board.cpp -x none \
-  -L"$folder/src/cortex-m4/fpv4-sp-d16-hard" -lcarom_c -Wl,--gc-sections -Tboard/mps2.ld -o "$out/TiltBox.elf"
+  -L"$folder/src/cortex-m4/fpv4-sp-d16-hard" -lcarom_c -Wl,--gc-sections -Wl,-z,noexecstack -Tboard/mps2.ld -o "$out/TiltBox.elf"
 timeout --foreground 600 qemu-system-arm -M mps2-an386 -cpu cortex-m4 -nographic \
   -semihosting-config enable=on,target=native -kernel "$out/TiltBox.elf" </dev/null >"$out/arduino.txt" 2>&1
 tr -d '\r' <"$out/arduino.txt" | diff "$out/rust.txt" -

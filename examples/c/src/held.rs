@@ -2,7 +2,7 @@
 
 use crate::error::{carom_error, code};
 use crate::law::{Law, Number};
-use crate::memory::{ALIGNMENT, Layout};
+use crate::memory::{ALIGNMENT, Layout, is_aligned};
 use crate::pointer::check;
 use carom::law::IntegratedMode;
 use carom::world::WorldBuilder;
@@ -36,6 +36,12 @@ pub struct Held<S: Number, const D: usize> {
     pub layout: Layout,
 }
 
+const _: () = assert!(
+    is_aligned::<Held<f32, 2>, f32, 2>()
+        && is_aligned::<Held<f64, 2>, f64, 2>()
+        && is_aligned::<Held<f64, 3>, f64, 3>()
+);
+
 impl<S: Number, const D: usize> Held<S, D> {
     /// What the memory of a world of this kind begins with.
     const SIGN: u32 = 0xCA20_0000 | ((D as u32) << 8) | size_of::<S>() as u32;
@@ -58,7 +64,7 @@ impl<S: Number, const D: usize> Held<S, D> {
         if memory.addr() % ALIGNMENT != 0 {
             return Err(carom_error::CAROM_ERROR_MISALIGNED);
         }
-        let layout = Layout::of::<S, D>(grains, planes);
+        let layout = Layout::of::<Self, S, D>(grains, planes);
         if !layout.is_possible() || layout.bytes > bytes {
             return Err(carom_error::CAROM_ERROR_MEMORY);
         }

@@ -1,8 +1,7 @@
 //! Where does everything lie in the caller's memory? Reads how many grains and planes; writes empty arrays.
 
-use crate::held::Held;
 use crate::law::Number;
-use carom::particle::{Body, Partner};
+use carom::particle::{Body, Index, Partner};
 use carom::space::{Link, MAX_PLANES, Plane};
 use carom::world::{Buffers, ScheduledEvent, Storage as _};
 use carom::{Memory, Vector};
@@ -34,17 +33,17 @@ const fn after<T>(end: usize, count: usize) -> [usize; 2] {
 }
 
 impl Layout {
-    /// Of a world of so many grains and planes. What follows from too many is longer than any memory.
+    /// Of a world of so many grains and planes behind an `H`. What follows from too many is longer than any memory.
     #[must_use]
-    pub const fn of<S: Number, const D: usize>(grains: usize, plane_places: usize) -> Self {
-        let [_, end] = after::<Held<S, D>>(0, 1);
+    pub const fn of<H, S: Number, const D: usize>(grains: usize, plane_places: usize) -> Self {
+        let [_, end] = after::<H>(0, 1);
         let [bodies, end] = after::<Body<S, D>>(end, grains);
         let [events, end] = after::<ScheduledEvent<S>>(end, grains);
         let [accelerations, end] = after::<Vector<S, D>>(end, grains);
         let [planes, end] = after::<Plane<S, D>>(end, plane_places);
         let [links, end] = after::<Link>(end, grains);
-        let [tree, end] = after::<u32>(end, grains);
-        let [heads, bytes] = after::<u32>(end, grains);
+        let [tree, end] = after::<Index>(end, grains);
+        let [heads, bytes] = after::<Index>(end, grains);
         Self {
             bodies,
             events,
@@ -70,8 +69,8 @@ impl Layout {
     /// The arrays, empty.
     ///
     /// # Safety
-    /// From `start` on `self.bytes` bytes can be written, `start` has the alignment of [`Held`], and nobody else uses
-    /// what lies behind the `Held` as long as the arrays are used.
+    /// From `start` on `self.bytes` bytes can be written, `start` has the alignment of the layout's `H`, which is the
+    /// largest of all, and nobody else uses what lies behind the `H` as long as the arrays are used.
     pub unsafe fn arrays<S: Number, const D: usize>(
         &self,
         start: *mut u8,
@@ -79,8 +78,8 @@ impl Layout {
         let mut one = Memory::<S, D, 1, 1>::new();
         let vacant = one.buffers();
         let grains = self.grains;
-        // SAFETY: each array begins where the layout says, aligned for what it holds as `Held` has the largest
-        // alignment of all (checked below); the layout puts them one behind the other, and behind the `Held`.
+        // SAFETY: each array begins where the layout says, aligned for what it holds as `start` has the
+        // largest alignment of all; the layout puts them one behind the other, and behind the `H`.
         unsafe {
             Buffers {
                 bodies: filled(start.add(self.bodies), grains, vacant.bodies),
@@ -114,16 +113,17 @@ unsafe fn filled<T: Copy>(at: *mut u8, count: usize, vacant: &[T]) -> &'static m
 /// The alignment that the memory of a world must have.
 pub const ALIGNMENT: usize = if size_of::<usize>() == 8 { 64 } else { 8 };
 
-/// Whether [`ALIGNMENT`] is enough for everything.
-const fn is_aligned<S: Number, const D: usize>() -> bool {
-    let largest = align_of::<Held<S, D>>();
+/// Whether the alignment of an `H` is enough for everything, and [`ALIGNMENT`] for that.
+#[must_use]
+pub const fn is_aligned<H, S: Number, const D: usize>() -> bool {
+    let largest = align_of::<H>();
     let arrays = [
         align_of::<Body<S, D>>(),
         align_of::<ScheduledEvent<S>>(),
         align_of::<Vector<S, D>>(),
         align_of::<Plane<S, D>>(),
         align_of::<Link>(),
-        align_of::<u32>(),
+        align_of::<Index>(),
     ];
     let mut i = 0;
     while i < arrays.len() {
@@ -134,8 +134,6 @@ const fn is_aligned<S: Number, const D: usize>() -> bool {
     }
     largest <= ALIGNMENT
 }
-
-const _: () = assert!(is_aligned::<f32, 2>() && is_aligned::<f64, 2>() && is_aligned::<f64, 3>());
 
 /// What the header's macro says: so many bytes, and so many for each grain and each plane.
 #[derive(Clone, Copy, Debug)]
@@ -151,14 +149,14 @@ pub struct Promised {
 impl Promised {
     /// Whether a world fits into what is promised, whatever it holds.
     #[must_use]
-    pub const fn is_enough<S: Number, const D: usize>(self) -> bool {
-        let [none, one] = [Layout::of::<S, D>(0, 0), Layout::of::<S, D>(1, 1)];
+    pub const fn is_enough<H, S: Number, const D: usize>(self) -> bool {
+        let [none, one] = [Layout::of::<H, S, D>(0, 0), Layout::of::<H, S, D>(1, 1)];
         let grain = size_of::<Body<S, D>>()
             + size_of::<ScheduledEvent<S>>()
             + size_of::<Vector<S, D>>()
             + size_of::<Link>()
-            + 2 * size_of::<u32>();
-        // Bodies follow a `Held`, which is a multiple of their alignment; between the other arrays there are less than
+            + 2 * size_of::<Index>();
+        // Bodies follow an `H`, which is a multiple of their alignment; between the other arrays there are less than
         // eight bytes of nothing.
         let padding = 32;
         none.bytes + padding <= self.fixed

@@ -57,7 +57,7 @@ macro_rules! kind {
                 } else {
                     Promised { fixed: $fixed_32, grain: $grain_32, plane: $plane_32 }
                 }
-                .is_enough::<$s, $d>(),
+                .is_enough::<Held<$s, $d>, $s, $d>(),
                 "enlarge what worlds! is told, and make the header anew"
             );
 
@@ -65,7 +65,7 @@ macro_rules! kind {
             /// than the macro of the same name says, which can be used for a static array.
             #[unsafe(no_mangle)]
             pub extern "C" fn [<carom $kind _bytes>](grains: u32, planes: u32) -> usize {
-                let layout = Layout::of::<$s, $d>(grains as usize, planes as usize);
+                let layout = Layout::of::<Held<$s, $d>, $s, $d>(grains as usize, planes as usize);
                 if layout.is_possible() { layout.bytes } else { 0 }
             }
 
