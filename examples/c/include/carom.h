@@ -42,7 +42,7 @@
 #define CAROM_2D_F32_FIXED_32 640
 
 // Bytes of each grain there.
-#define CAROM_2D_F32_GRAIN_32 104
+#define CAROM_2D_F32_GRAIN_32 96
 
 // Bytes of each plane there.
 #define CAROM_2D_F32_PLANE_32 64
@@ -51,7 +51,7 @@
 #define CAROM_2D_F32_FIXED_64 1024
 
 // Bytes of each grain there.
-#define CAROM_2D_F32_GRAIN_64 108
+#define CAROM_2D_F32_GRAIN_64 100
 
 // Bytes of each plane there.
 #define CAROM_2D_F32_PLANE_64 64
@@ -60,7 +60,7 @@
 #define CAROM_2D_F64_FIXED_32 832
 
 // Bytes of each grain there.
-#define CAROM_2D_F64_GRAIN_32 168
+#define CAROM_2D_F64_GRAIN_32 160
 
 // Bytes of each plane there.
 #define CAROM_2D_F64_PLANE_32 128
@@ -69,7 +69,7 @@
 #define CAROM_2D_F64_FIXED_64 1152
 
 // Bytes of each grain there.
-#define CAROM_2D_F64_GRAIN_64 192
+#define CAROM_2D_F64_GRAIN_64 184
 
 // Bytes of each plane there.
 #define CAROM_2D_F64_PLANE_64 128
@@ -78,7 +78,7 @@
 #define CAROM_3D_F64_FIXED_32 896
 
 // Bytes of each grain there.
-#define CAROM_3D_F64_GRAIN_32 200
+#define CAROM_3D_F64_GRAIN_32 192
 
 // Bytes of each plane there.
 #define CAROM_3D_F64_PLANE_32 136
@@ -87,7 +87,7 @@
 #define CAROM_3D_F64_FIXED_64 1216
 
 // Bytes of each grain there.
-#define CAROM_3D_F64_GRAIN_64 200
+#define CAROM_3D_F64_GRAIN_64 192
 
 // Bytes of each plane there.
 #define CAROM_3D_F64_PLANE_64 136
