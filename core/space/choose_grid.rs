@@ -43,7 +43,6 @@ pub(super) fn sides<S: Scalar, const D: usize>(
 
 /// The nearest width.
 #[inline]
-#[cfg_attr(feature = "alloc", expect(clippy::unnecessary_cast, reason = "it is `f64` here"))]
 pub(super) fn width_of<S: Scalar>(x: S) -> Width {
     x.to_f64() as Width
 }
@@ -70,6 +69,17 @@ fn side_of<const D: usize>(volume: Width) -> Width {
     }
 }
 
+#[cfg(feature = "alloc")]
+fn number(count: u32) -> Width {
+    f64::from(count)
+}
+
+/// The nearest number.
+#[cfg(not(feature = "alloc"))]
+fn number(count: u32) -> Width {
+    count as Width
+}
+
 /// The grid whose cells have this width at least, at most `most` of them.
 pub(super) fn with_width<S: Scalar, const D: usize>(
     boundary: &Boundary<'_, S, D>,
@@ -87,7 +97,7 @@ pub(super) fn with_width<S: Scalar, const D: usize>(
             along(side, boundary.periodic(axis).map(|p| p.length), width)
         };
         let axes: [GridAxis<S>; D] = core::array::from_fn(along);
-        let cells: Width = axes.iter().map(|l| l.count as Width).product();
+        let cells: Width = axes.iter().map(|along| number(along.count)).product();
         if axes.iter().any(|along| along.periodic && along.count < 4) {
             return None;
         }
