@@ -51,7 +51,7 @@ impl<S: Scalar, const D: usize, R> WorldBuilder<'_, S, D, R> {
         grains.into_iter().try_fold(self, Self::grain)
     }
 
-    /// So many empty places for grains that are added later, see [`World::add`].
+    /// So many empty places for grains that are added later, see [`World::add`](crate::World::add).
     ///
     /// # Errors
     /// [`Error::Full`] if the memory has no places for them.
