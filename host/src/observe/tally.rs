@@ -88,6 +88,12 @@ impl<const D: usize> Tally<D> {
         std::mem::replace(&mut self.sums, vec![0.0; width])
     }
 
+    /// Grains moved in a cluster, whose forces are not seen: what contacts gave meanwhile is not known.
+    #[cold]
+    fn withhold(&mut self) {
+        self.sums.iter_mut().skip(1).for_each(|sum| *sum = f64::NAN);
+    }
+
     /// The sums over contacts of two grains.
     #[inline]
     fn contacts_of(&mut self, a: usize, b: usize) -> &mut [f64] {
@@ -215,6 +221,9 @@ impl<const D: usize> Observer<f64, D> for Tally<D> {
 
     #[inline]
     fn after(&mut self, event: &Event<f64>, view: View<'_, f64, D>) {
+        if event.kind == EventKind::Step {
+            self.withhold();
+        }
         if !matches!(event.kind, EventKind::Collision | EventKind::ContactEnd) {
             return;
         }
