@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use carom_tables::read::Law;
-use carom_tables::recipe::{NumberType, Recipe};
+use carom_tables::recipe::{NumberType, Recipe, emit_history};
 
 /// The numbers in which tables are stored, and what that adds to a table's name.
 fn numbers() -> Vec<(NumberType, &'static str)> {
@@ -19,6 +19,16 @@ fn numbers() -> Vec<(NumberType, &'static str)> {
 
 fn enabled(feature: &str) -> bool {
     std::env::var_os(format!("CARGO_FEATURE_{feature}")).is_some()
+}
+
+/// The course of contacts over time, which friction asks for: small, and linked only where it is used.
+fn histories() -> Result<String, Box<dyn Error>> {
+    let reader = "::carom_tables::read";
+    let linear = emit_history(Law::LinearDashpot, "LINEAR_DASHPOT", reader)?;
+    let viscoelastic = emit_history(Law::Viscoelastic, "VISCOELASTIC", reader)?;
+    Ok(format!(
+        "/// The course of contacts over time.\npub mod history {{\n{linear}{viscoelastic}}}\n"
+    ))
 }
 
 /// One module of Rust text: a table for each law and number.
@@ -40,7 +50,7 @@ fn module(module: &str, recipe: fn(Law) -> Recipe) -> Result<String, Box<dyn Err
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    let mut text = String::new();
+    let mut text = histories()?;
     if enabled("COMPACT") {
         text += &module("compact", Recipe::compact)?;
     }

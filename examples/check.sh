@@ -35,6 +35,9 @@ need node nodejs
 need nm binutils
 need c++ g++
 need arm-none-eabi-g++ gcc-arm-none-eabi
+need python3 python3
+need parallel parallel
+python3 -c "import ensurepip, venv" 2>/dev/null || missing+=(python3-venv)
 [[ -d /usr/lib/arm-none-eabi/include ]] || missing+=(libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib)
 for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
   [[ $installed == *"$target"* ]] || debian=true
@@ -123,13 +126,14 @@ board() { # target, image, words of its command line
 
 # Compares a replay with the golden file; names the first event that differs.
 compare() { # target, file of digests, replay command that takes: scene scalar from last
-  local target=$1 file=$2
+  local target=$1 file=$2 last=$events
   shift 2
+  [[ $target != thumbv6m* ]] || last=5000 # as firmware/replay.rs
   sort "$file" >"$file.got"
-  awk -v last=$events '$3 <= last' "$golden" | sort >"$file.wanted"
+  awk -v last=$last '$3 <= last' "$golden" | sort >"$file.wanted"
   if cmp -s "$file.got" "$file.wanted"; then echo true && return; fi
   echo false
-  local first scene scalar last
+  local first scene scalar
   first=$(comm -13 "$file.got" "$file.wanted" | sort -k1,2 -k3,3n | head -1)
   read -r scene scalar last _ <<<"$first"
   say "$target: $scene in $scalar differs between events $((last - 1000)) and $last"
@@ -140,6 +144,22 @@ compare() { # target, file of digests, replay command that takes: scene scalar f
 
 flash() { size "$1" | awk 'NR == 2 { print $1 + $2 }'; }
 panics() { nm "$1" | grep -c '4core9panicking' || true; }
+# Bytes of the functions that write an error's letters (`Error::brief`), and symbols of the library's formatting.
+brief() { nm -S -t d "$1" | awk '/7refusal5Error5brief|5error5brief5Brief/ { sum += $2 } END { print sum + 0 }'; }
+texts() { nm "$1" | grep -c '4core3fmt' || true; }
+
+# What flash is made of: bytes by crate and room, the largest first. What has no symbol are the tables' numbers.
+rooms() { # image
+  nm -C -S -t d "$1" | awk -v flash="$(flash "$1")" '
+    $3 !~ /^[tTrRwW]$/ || /{shim/ { next }
+    { size = $2 + 0; sub(/^[^ ]+ [^ ]+ . /, ""); room = "others" }
+    /^<?carom_scenes::|main$/ { room = "program" }
+    room == "others" && /carom_tables::/ { room = "carom_tables" }
+    room == "others" && match($0, /carom::[a-z]+/) { room = substr($0, RSTART, RLENGTH) }
+    { sum[room] += size; all += size }
+    END { for (room in sum) print sum[room], room; print flash - all, "without a symbol" }' |
+    sort -rn | awk '{ printf "%s%s", (NR > 1 ? ", " : ""), $0 } END { print "" }'
+}
 
 # One line of the table.
 row() { # target digests flash ram instructions md panics stack lookup
@@ -189,12 +209,24 @@ run() { # target table-of-the-tilt-box
   row "$target" "$digests" "$(flash "$image/tilt_box")" $(($(value memory) + $(value world))) \
     "$(share "$(value "$table.instructions")" "$collisions")" "$(share "$(value md)" "$collisions")" \
     "$(panics "$image/tilt_box")" "$(value "$table.stack")" "$(value "$table.lookup")"
+  say "$target: flash of the tilt box: $(rooms "$image/tilt_box"); RAM: Memory $(value memory), World $(value world)"
   limit "$target" "contacts outside the table" "$(value "$table.outside")" 0 0
-  # The largest step and frame of a heap: on the board that has the time.
+  COUNT=1 board "$target" "$image/frames" >"$CARGO_TARGET_DIR/$target.frames" || { say "$target: frames failed" && failed=1; }
+  if grep ' E[0-9]' "$CARGO_TARGET_DIR/$target.frames" >&2; then say "$target: frames ended with an error" && failed=1; fi
+  # Programs of least size: whether they do what they should.
+  for least in smallest smallest_heap; do
+    [[ ! -e $image/$least ]] || board "$target" "$image/$least" || { say "$target: $least failed" && failed=1; }
+  done
+  # A heap that is swung and held still until all sleep: on the board that has the time.
   if [[ $target == thumbv7em* ]]; then
     COUNT=1 board "$target" "$image/heap" >"$CARGO_TARGET_DIR/$target.heap" || { say "$target: heap failed" && failed=1; }
     sed "s/^/$target: heap: /" "$CARGO_TARGET_DIR/$target.heap" >&2
     grep -q '^digest ' "$CARGO_TARGET_DIR/$target.heap" || { say "$target: the heap did not end" && failed=1; }
+    # The hourglass, and the rough tilt box: what frames of 25 ms take, and how they go slower in real time.
+    for box in hourglass rough_box; do
+      COUNT=1 board "$target" "$image/$box" >"$CARGO_TARGET_DIR/$target.$box" || { say "$target: $box failed" && failed=1; }
+      say "$target: $box: $(flash "$image/$box") bytes of flash, $(grep ' [0-9]' "$CARGO_TARGET_DIR/$target.$box" | paste -sd, | sed 's/,/, /g')"
+    done
   fi
   say "ran $target in $((SECONDS - begun)) s"
   exit $failed
@@ -204,9 +236,10 @@ metal() { # directory, what run takes
   local level=()
   # Where arithmetic is calls, code that is not inlined is smaller, and hardly slower.
   [[ $target == thumbv6m* ]] && level=(--config 'profile.release.opt-level="z"')
-  # All scenes, one with a vibrating plate; and what has none.
+  # All scenes, one with a vibrating plate, one with obstacles; and what has neither; and the hourglass.
   build "$directory" "$target" --bin replay "${level[@]}"
   build "$directory" "$target" --no-default-features --bins "${level[@]}"
+  [[ $target != thumbv7em* ]] || build "$directory" "$target" --no-default-features --features obstacles --bin hourglass
   set -m
   run "${@:2}" &
   set +m
@@ -240,6 +273,22 @@ build c thumbv7em-none-eabihf --lib --no-default-features
 say "carom from C ($SECONDS s)"
 c/test.sh "$CARGO_TARGET_DIR/thumbv7em-none-eabihf/release/libcarom_c.a" >&2 || { say "c: failed" && failed=1; }
 
+# From Python: a wheel in an environment of its own.
+say "carom from Python ($SECONDS s)"
+env -u CARGO_TARGET_DIR python/test.sh >"$work/python" 2>&1 || { tail -200 "$work/python" >&2 && failed=1; }
+
+# Sweeps spread over HyperQueue, which is started here, GNU parallel, and Slurm's script, by the program of that step.
+say "sweeps ($SECONDS s)"
+sweeps() {
+  local target
+  target=$(env -u CARGO_TARGET_DIR cargo metadata --format-version 1 --no-deps --manifest-path ../Cargo.toml |
+    sed -n 's/.*"target_directory":"\([^"]*\)".*/\1/p')
+  python3 -m venv "$work/hyperqueue" &&
+    "$work/hyperqueue/bin/pip" install --quiet --disable-pip-version-check hyperqueue &&
+    PATH=$work/hyperqueue/bin:$PATH CAROM=$target/release/carom sweep/check.sh
+}
+sweeps >"$work/sweeps" 2>&1 || { cat "$work/sweeps" >&2 && failed=1; }
+
 say "building web ($SECONDS s)"
 web() { env -u CARGO_TARGET_DIR "web/$1" "${@:2}" >"$work/web" 2>&1 || { tail -200 "$work/web" >&2 && failed=1 && false; }; }
 built=true
@@ -250,6 +299,9 @@ jobs=()
 # The page wants a machine that is not busy.
 say "testing web ($SECONDS s)"
 $built && web test.sh --built || true
+
+# Longest steps and frames, as docs/guide/firmware.md has them.
+firmware/frames.sh "$CARGO_TARGET_DIR" >&2
 
 rows=()
 for target in x86_64-release x86_64-debug "x86_64-rust-$oldest" thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32; do

@@ -30,20 +30,28 @@ impl<S: Scalar> Touching<S> {
     /// will part within the next: its force acts from there to the end of the step (or from its
     /// beginning), and is taken at the middle of that span. Nothing is counted twice or left out.
     pub fn mean_force<R: Rule<S>>(&self, rule: &R, settings: &Settings<S>, step: S) -> Mean<S> {
+        let (depth, share) = self.span(step);
+        let Some((force, frequency)) = self.force(rule, settings, depth) else {
+            let zero = S::zero();
+            return Mean { force: zero, frequency: zero, share, depth, elastic: zero };
+        };
+        let elastic = force.elastic;
+        // A dashpot stronger than a step can resolve is as strong as it can.
+        let most = self.impact.reduced_mass / (step * S::from_f32(4.0));
+        let force = ContactForce { damping: force.damping.min(most), ..force };
+        Mean { force: force.at_rate(self.rate) * share, frequency, share, depth, elastic }
+    }
+
+    /// How deep the two are in the middle of the part of the step in which they touch, and which part that is.
+    #[inline(always)]
+    pub fn span(&self, step: S) -> (S, S) {
         let change = self.rate.abs() * step;
-        let (depth, share) = if change > self.overlap {
+        if change > self.overlap {
             let span = self.overlap + change * S::half();
             (span * S::half(), span / change)
         } else {
             (self.overlap, S::one())
-        };
-        let Some((force, frequency)) = self.force(rule, settings, depth) else {
-            return Mean { force: S::zero(), frequency: S::zero() };
-        };
-        // A dashpot stronger than a step can resolve is as strong as it can.
-        let most = self.impact.reduced_mass / (step * S::from_f32(4.0));
-        let force = ContactForce { damping: force.damping.min(most), ..force };
-        Mean { force: force.at_rate(self.rate) * share, frequency }
+        }
     }
 
     /// The force at this depth: the rule's, or the stand-in's and its ω, but for two that collide at once.
@@ -87,6 +95,19 @@ impl<S: Scalar> Touching<S> {
 pub(super) struct Mean<S> {
     pub force: S,
     pub frequency: S,
+    /// For which part of the step the two touch.
+    pub share: S,
+    /// How deep they overlap where the force is taken, and what the overlap alone gives there.
+    pub depth: S,
+    pub elastic: S,
+}
+
+impl<S: Scalar> Mean<S> {
+    /// What two that lie still hold each other with, at this depth.
+    pub fn at_rest(force: S, depth: S) -> Self {
+        let elastic = force.max(S::zero());
+        Self { force, frequency: S::zero(), share: S::one(), depth, elastic }
+    }
 }
 
 /// By how much the stand-in's spring is stiffer this deep, in units of the radius: (32 x/R)⁴, up to 39.
@@ -111,7 +132,7 @@ fn restitution<S: Scalar, R: Rule<S>>(rule: &R, impact: &Impact<S>, speed: S) ->
 
 /// c_dis of the linear spring-dashpot with this coefficient of restitution, its contact ending with its
 /// force: to 0.0013 of ε, of our own making from its closed form. Below ε = 0.01 as for that.
-fn scaled_damping<S: Scalar>(restitution: S) -> S {
+pub(super) fn scaled_damping<S: Scalar>(restitution: S) -> S {
     let e = restitution.max(S::from_f32(0.01)).min(S::one());
     let s = e.sqrt();
     let curve = S::from_f64(-0.232_747) + S::from_f64(0.208_143) * s;

@@ -2,7 +2,7 @@
 
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
-use crate::space::{Domain, Particles, crowd_gap, flight};
+use crate::space::{Domain, Particles, Plane, crowd_gap, flight};
 
 /// A grain that takes part in a contact.
 #[derive(Clone, Copy)]
@@ -10,17 +10,17 @@ pub(crate) struct Party<'a, S: Scalar, const D: usize> {
     pub grain: usize,
     /// As it is now.
     pub body: &'a Body<S, D>,
-    /// The largest speed that the contact gives it against the centre of those that take part.
+    /// The velocity of the centre of those that take part, in its image.
+    pub velocity: Vector<S, D>,
+    /// The largest speed that the contact gives it against that centre.
     pub speed: S,
 }
 
-/// How a contact moves as a whole.
+/// With what a contact is besides, and how long.
 #[derive(Clone, Copy)]
-pub(crate) struct Course<S: Scalar, const D: usize> {
+pub(crate) struct Course<S> {
     /// The plane that takes part; nothing if grains only do.
     pub with: Partner,
-    /// Of the centre of those that take part.
-    pub velocity: Vector<S, D>,
     pub duration: S,
 }
 
@@ -31,11 +31,11 @@ pub(crate) fn is_crowded<S: Scalar, const D: usize>(
     domain: &Domain<'_, S, D>,
     now: S,
     parties: &[Party<'_, S, D>],
-    course: &Course<S, D>,
+    course: &Course<S>,
 ) -> bool {
     let crowd =
         Crowd { particles, domain, now, course, fall: norm(domain.gravity()) * course.duration };
-    if parties.iter().any(|party| crowd.plane_nears(party)) {
+    if parties.iter().any(|party| crowd.plane_nears(party) || crowd.obstacle_nears(party)) {
         return true;
     }
     let mut crowded = false;
@@ -57,7 +57,7 @@ struct Crowd<'a, S: Scalar, const D: usize> {
     particles: &'a Particles<'a, S, D>,
     domain: &'a Domain<'a, S, D>,
     now: S,
-    course: &'a Course<S, D>,
+    course: &'a Course<S>,
     /// What gravity adds to a speed meanwhile.
     fall: S,
 }
@@ -66,12 +66,27 @@ impl<S: Scalar, const D: usize> Crowd<'_, S, D> {
     fn plane_nears(&self, party: &Party<'_, S, D>) -> bool {
         let planes = self.domain.boundary.planes().iter().enumerate();
         let mut others = planes.filter(|&(p, _)| Partner::plane(p) != self.course.with);
-        others.any(|(_, plane)| {
-            let shaken = plane.peak_speed() + plane.peak_speed();
-            let nears = -dot(&plane.normal, &self.course.velocity) + self.fall + shaken;
-            let room = (party.speed + nears.max(S::zero())) * self.course.duration;
-            plane.gap(&party.body.position, party.body.radius, self.now) < room
+        others.any(|(_, plane)| self.is_near(party, plane))
+    }
+
+    /// A contact with an obstacle is never one of two alone: none takes part.
+    #[inline(always)]
+    fn obstacle_nears(&self, party: &Party<'_, S, D>) -> bool {
+        let position = &party.body.position;
+        self.domain.boundary.obstacles().is_some_and(|obstacles| {
+            let mut planes = obstacles
+                .near(position, self.now)
+                .filter_map(|k| self.domain.boundary.facet_plane(k, position, self.now));
+            planes.any(|plane| self.is_near(party, &plane))
         })
+    }
+
+    #[inline(always)]
+    fn is_near(&self, party: &Party<'_, S, D>, plane: &Plane<S, D>) -> bool {
+        let shaken = plane.peak_speed() + plane.peak_speed();
+        let nears = -dot(&plane.normal, &party.velocity) + self.fall + shaken;
+        let room = (party.speed + nears.max(S::zero())) * self.course.duration;
+        plane.gap(&party.body.position, party.body.radius, self.now) < room
     }
 
     /// Whether grain `k` comes as near as that to one of them.
@@ -84,8 +99,9 @@ impl<S: Scalar, const D: usize> Crowd<'_, S, D> {
             let (position, velocity) = flight::free(other, self.domain, self.now);
             (position, velocity, S::zero())
         };
-        parties.iter().any(|Party { body, speed, .. }| {
-            let apart = self.domain.boundary.nearest(body.position - position);
+        parties.iter().any(|Party { body, velocity: centre, speed, .. }| {
+            let relative = [body.position - position, centre - velocity];
+            let [apart, moves] = self.domain.boundary.relative(relative, self.now);
             let (touching, most) =
                 (body.radius + other.radius, crowd_gap(body.radius.max(other.radius)));
             // Most are further off: seen without a root. Rounding is the exact test's affair.
@@ -94,7 +110,7 @@ impl<S: Scalar, const D: usize> Crowd<'_, S, D> {
                 return false;
             }
             let distance = norm(&apart);
-            let nears = S::dot(&apart, &(velocity - self.course.velocity)).divided_by(distance);
+            let nears = S::dot(&apart, &-moves).divided_by(distance);
             let room = (*speed + nears.max(S::zero()) + sinks) * self.course.duration;
             distance - touching < room.min(most)
         })

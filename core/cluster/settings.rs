@@ -1,10 +1,10 @@
 //! How are contacts treated that last or crowd, and how stiff is what stands in for a hard one? Reads and writes nothing else.
 
 use crate::error::Error;
-use crate::law::{Enduring, Impact, Rule};
+use crate::law::{Enduring, Impact, Rule, tried};
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, WideProduct, norm};
-use crate::space::{Boundary, Plane, Sight, Surface};
+use crate::space::{Boundary, Obstacles, Sight, Surface};
 
 /// What a world was told of clusters, and what follows from its grains.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,25 +60,33 @@ impl<S: Scalar> Settings<S> {
         bodies: &[Body<S, D>],
     ) -> Self {
         self.enduring = rule.enduring().unwrap_or(self.enduring);
+        if is_paper_alone(rule) {
+            return self;
+        }
         let mut fastest = S::zero();
         self.smallest = [S::NEVER; 2];
         for body in bodies.iter().filter(|body| !body.is_vacant()) {
             let [radius, mass] = self.smallest;
             self.smallest = [radius.min(body.radius), mass.min(body.mass)];
-            fastest = fastest.max(norm(&body.velocity));
+            let peculiar = body.velocity - boundary.flow_at(&body.position);
+            fastest = fastest.max(norm(&peculiar));
         }
         self.plates = boundary.planes().iter().fold([S::zero(); 2], |[speed, most], plane| {
             let acceleration = plane.vibration().map_or(S::zero(), |v| v.peak_acceleration());
             [speed.max(plane.peak_speed()), most.max(acceleration)]
         });
+        if let Some([speed, most]) = boundary.obstacles().map(Obstacles::peaks) {
+            self.plates = [self.plates[0].max(speed), self.plates[1].max(most)];
+        }
         let [speed, _] = self.plates;
         fastest = fastest.max(speed);
-        let is_hard = |plane: &Plane<S, D>| matches!(plane.surface, Surface::Hard(_));
+        let is_hard = |surface: Surface<S>| matches!(surface, Surface::Hard(_));
         self.is_rule_instantaneous = self.has_pair(rule, bodies, boundary, false);
         self.has_forces = self.has_pair(rule, bodies, boundary, true);
-        self.has_instantaneous =
-            self.is_rule_instantaneous || boundary.planes().iter().any(is_hard);
+        self.has_instantaneous = self.is_rule_instantaneous || boundary.surfaces().any(is_hard);
         self.take_gravity(gravity, fastest);
+        // Who meets somebody's image may do so as fast as that moves.
+        self.plates[0] = self.plates[0].max(boundary.image_speed());
         self
     }
 
@@ -89,6 +97,9 @@ impl<S: Scalar> Settings<S> {
         grain: &Body<S, D>,
         (bodies, boundary): (&[Body<S, D>], &Boundary<'_, S, D>),
     ) -> Self {
+        if is_paper_alone(rule) {
+            return self;
+        }
         let [radius, mass] = self.smallest;
         self.smallest = [radius.min(grain.radius), mass.min(grain.mass)];
         self.is_rule_instantaneous |= self.has_pair(rule, bodies, boundary, false);
@@ -111,10 +122,10 @@ impl<S: Scalar> Settings<S> {
                 return true;
             }
         }
-        let planes = boundary.planes().iter();
+        let surfaces = boundary.surfaces();
         let pairs = materials.iter().flat_map(|&a| {
-            let with_planes = planes.clone().map(move |plane| plane.surface.materials(a));
-            materials.iter().map(move |&b| [a, b]).chain(with_planes)
+            let with_surfaces = surfaces.clone().map(move |surface| surface.materials(a));
+            materials.iter().map(move |&b| [a, b]).chain(with_surfaces)
         });
         let mut impacts = pairs.map(|materials| Impact { materials, ..self.small_pair(S::one()) });
         impacts.any(|impact| rule.force(&impact, S::zero()).is_some() == with_force)
@@ -153,6 +164,12 @@ impl<S: Scalar> Settings<S> {
         }
         let longest = core::f64::consts::PI * libm::sqrt(0.05 * radius / g);
         Err(Error::LongContact { contact_time: t, overlap, longest })
+    }
+
+    /// Whether contacts under a law of one's own push, and end.
+    #[inline(always)]
+    pub fn try_law(&self, rule: &impl Rule<S>) -> Result<(), Error> {
+        if rule.remembers() { tried(rule, &self.small_pair(S::zero())) } else { Ok(()) }
     }
 
     /// Two of the smallest grains that meet at this speed.
@@ -229,4 +246,11 @@ impl<S: Scalar> Settings<S> {
         };
         step.max(S::RESOLUTION * S::from_f32(4.0))
     }
+}
+
+/// Whether worlds with this rule are in the papers' mode only: nothing of the other is needed then, and none of it compiled.
+/// (Of rough grains it is asked whether there are forces.)
+#[inline(always)]
+fn is_paper_alone<S: Scalar>(rule: &impl Rule<S>) -> bool {
+    rule.enduring() == Some(Enduring::Paper) && rule.inertia().is_none()
 }

@@ -25,7 +25,7 @@ pub(super) fn may_sleep<S: Scalar, const D: usize>(
         let Some(other) = particles.body(k).filter(|other| k != i && !other.is_asleep()) else {
             return;
         };
-        let (apart, reach) = (domain.separation(body, other), body.radius + other.radius);
+        let (apart, reach) = (domain.separation(body, other, now), body.radius + other.radius);
         let touches = S::dot(&apart, &apart) < reach.times(reach);
         let is_slow = other.is_clustered()
             && now - other.reference_time >= long * S::half()

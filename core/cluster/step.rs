@@ -5,9 +5,13 @@
 //! velocity in the middle: it is predicted by the last step's acceleration.
 
 use super::forces::{Crush, Forces};
+use super::friction;
 use super::members::{Clusters, join, leave, sleep};
+use super::remembered;
 use super::settings::Settings;
 use super::sleep::{may_sleep, rounded_speed};
+use super::transfer::Receiver;
+use crate::error::Error;
 use crate::law::Rule;
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector, norm};
@@ -17,20 +21,27 @@ use crate::space::{Domain, Particles};
 const FREE_AFTER: f32 = 8.0;
 
 /// Clustered grains move on to this time, which is not later than the step is long. Returns who is crushed most.
-pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
+///
+/// # Errors
+/// [`Error::Full`] if there was no place for a contact under friction.
+pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>>(
     particles: &mut Particles<'_, S, D>,
     domain: &Domain<'_, S, D>,
     clusters: &mut Clusters<S>,
     (rule, settings): (&R, &Settings<S>),
     to: S,
-) -> Option<Crush<S>> {
+    receiver: &mut O,
+) -> Result<Option<Crush<S>>, Error> {
     let (from, step) = (clusters.time, to - clusters.time);
     let half = step * S::half();
-    let mut crush = None;
+    let (mut crush, mut full) = (None, None);
     if step > S::zero() {
         let [begin, middle, end] = clusters.counted_from(step, particles.largest_radius);
         for_each(particles, clusters, |particles, i| {
             to_the_middle(particles, domain, i, ([from, half], [begin, middle]));
+            if rule.inertia().is_some() {
+                particles.rotation.go_to_middle::<D>(i, half);
+            }
         });
         let mut forces = Forces {
             particles,
@@ -44,22 +55,30 @@ pub(crate) fn step<S: Scalar, const D: usize, R: Rule<S>>(
             frequency: S::zero(),
             crush: None,
             woken: heapless::Vec::new(),
+            full: None,
+            receiver,
         };
         forces.add(clusters);
-        crush = forces.crush;
+        (crush, full) = (forces.crush, forces.full);
         let (deepest, frequency, woken) = (forces.deepest, forces.frequency, forces.woken);
         let mut fastest = S::zero();
         for_each(particles, clusters, |particles, i| {
             let times = ([to, step], [middle, end]);
             fastest = fastest.max(to_the_end(particles, domain, settings, i, times));
+            if rule.inertia().is_some() {
+                friction::turn(particles, settings, i, [to, step]);
+            }
         });
         (clusters.time, clusters.speed, clusters.phase) = (to, fastest, end);
         woken.iter().for_each(|&k| join(particles, domain, clusters, (k, to)));
+        if rule.inertia().is_some() || rule.remembers() {
+            remembered::forget(particles);
+        }
         clusters.step = settings.step(rule, fastest, (deepest, frequency));
     } else {
         clusters.step = settings.step(rule, clusters.speed, (S::zero(), S::zero()));
     }
-    crush
+    full.map_or(Ok(crush), Err)
 }
 
 /// Visits all clustered grains by their numbers.
@@ -93,7 +112,7 @@ fn to_the_middle<S: Scalar, const D: usize>(
         velocity_change: Vector::zeros(),
         ..body
     };
-    particles.relocate(&domain.boundary, i, there);
+    particles.relocate(&domain.boundary, (i, from + half), there);
 }
 
 /// How far a grain goes in half a step, from one of these instants to the other: the difference of the ways to both,
@@ -136,7 +155,7 @@ fn to_the_end<S: Scalar, const D: usize>(
         consecutive_collisions: 0,
         ..body
     };
-    particles.relocate(&domain.boundary, i, there);
+    particles.relocate(&domain.boundary, (i, to), there);
     speed
 }
 

@@ -7,10 +7,12 @@ use super::contact::PRESSED;
 use super::forces::MAX_COLLISIONS;
 use super::members::Clusters;
 use super::settings::Settings;
-use crate::detect::{EventKind, ScheduledEvent, closing_speed, pair_collision, plane_collision};
+use crate::detect::{
+    EventKind, ScheduledEvent, closing_speed, facet_collision, pair_collision, plane_collision,
+};
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
-use crate::space::{Domain, Particles, Plane, Surface, flight};
+use crate::space::{Domain, Obstacles, Particles, Plane, Surface, flight};
 
 /// The earliest collision of a clustered grain up to the end of its step.
 pub(crate) fn next_event<S: Scalar, const D: usize>(
@@ -25,7 +27,7 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
     if everyone && !settings.has_instantaneous {
         return ScheduledEvent::NONE;
     }
-    let fast = norm(&me.velocity) + clusters.speed;
+    let fast = norm(&me.velocity) + clusters.speed + domain.boundary.image_speed();
     let mut watch = Watch {
         particles,
         domain,
@@ -45,6 +47,7 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
     }
     if settings.has_instantaneous {
         watch.planes();
+        watch.obstacles();
     }
     watch.first
 }
@@ -92,7 +95,7 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
     /// Whether a free grain may be touched before the step ends: a bound without roots. Both fly freely until then.
     fn may_reach(&self, other: &Body<S, D>) -> bool {
         let ((x, v), (y, w)) = (&self.here, flight::free(other, self.domain, self.now));
-        let (apart, velocity) = (self.domain.boundary.nearest(x - y), v - w);
+        let [apart, velocity] = self.domain.boundary.relative([x - y, v - w], self.now);
         // Rounding is the root's affair. Negated so that what does not fit is asked there, too.
         let slack = S::one() + S::from_f32(1.0 / 64.0);
         let way = norm(&velocity) * (self.limit - self.now);
@@ -105,8 +108,7 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
         if self.me.clock != other.clock {
             return true;
         }
-        let (apart, velocity) =
-            (self.domain.separation(self.me, other), self.me.velocity - other.velocity);
+        let [apart, velocity] = self.domain.relative(self.me, other, self.me.clock);
         let slow = self.settings.slow_speed(self.me.radius.min(other.radius));
         let reach = self.me.radius + other.radius + self.fast * (self.limit - self.me.clock);
         let touching = self.me.radius + other.radius;
@@ -124,7 +126,7 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
         let fastest = plane.peak_speed() + fall - dot(&plane.normal, &self.me.velocity);
         let gap = plane.gap(&self.me.position, self.me.radius, self.me.clock);
         let least = match plane.vibration() {
-            Some(v) => plane.mean_gap(&self.me.position, self.me.radius) - v.amplitude.abs(),
+            Some(v) => plane.mean_gap(&self.me.position, self.me.radius) - v.swing().abs(),
             None => gap,
         };
         let pressed = self.me.radius * S::from_f32(-PRESSED);
@@ -148,6 +150,44 @@ impl<S: Scalar, const D: usize> Watch<'_, S, D> {
             let with = Partner::plane(p);
             let speed = closing_speed(self.particles, self.domain, (self.grain, with), time);
             if speed > slow {
+                self.keep(time, with, 0, speed);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn obstacles(&mut self) {
+        if let Some(obstacles) = self.domain.boundary.obstacles() {
+            self.facets(obstacles);
+        }
+    }
+
+    /// In a step a grain goes nowhere near as far as the lists see.
+    #[inline(never)]
+    fn facets(&mut self, obstacles: &Obstacles<'_, S, D>) {
+        let slow = self.settings.slow_speed(self.me.radius);
+        if self.me.consecutive_collisions >= MAX_COLLISIONS {
+            return;
+        }
+        let clock = self.me.clock;
+        for k in obstacles.near(&self.me.position, clock) {
+            let plane = self.domain.boundary.facet_plane(k, &self.me.position, clock);
+            let may = plane.is_some_and(|plane| {
+                let collides =
+                    plane.surface.restitution().is_some() || self.settings.is_rule_instantaneous;
+                // What moves may become faster in the step.
+                collides && (plane.moves() || self.may_meet_plane(&plane, slow))
+            });
+            if !may {
+                continue;
+            }
+            let time = facet_collision(self.domain, self.now, self.me, (k, self.limit));
+            let Some(time) = time.filter(|&time| time <= self.limit) else { continue };
+            let (there, with) = (flight::free(self.me, self.domain, time).0, Partner::facet(k));
+            // Where another facet has what it shares with it, that one is met.
+            let is_met = obstacles.touched(&there, (k, S::NEVER), time).is_some();
+            let speed = closing_speed(self.particles, self.domain, (self.grain, with), time);
+            if is_met && speed > slow {
                 self.keep(time, with, 0, speed);
             }
         }

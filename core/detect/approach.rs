@@ -16,7 +16,13 @@ pub(crate) fn closing_speed<S: Scalar, const D: usize>(
     if let Some(plane) = partner.as_plane().and_then(|p| domain.boundary.planes().get(p)) {
         return plane.motion(time).speed - dot(&plane.normal, &me.velocity);
     }
+    if let Some(facet) = partner.as_facet() {
+        let plane = domain.boundary.facet_plane(facet, &me.position, time);
+        return plane.map_or(S::zero(), |plane| {
+            plane.motion(time).speed - dot(&plane.normal, &me.velocity)
+        });
+    }
     let Some(other) = partner.as_grain().and_then(at) else { return S::zero() };
-    let apart = domain.separation(&me, &other);
-    -S::dot(&apart, &(me.velocity - other.velocity)).divided_by(norm(&apart))
+    let [apart, velocity] = domain.relative(&me, &other, time);
+    -S::dot(&apart, &velocity).divided_by(norm(&apart))
 }

@@ -10,7 +10,8 @@ use crate::space::{Boundary, CellFace, Domain, Grid, Particles, flight};
 /// When the body gets out of reach of the neighbours that were looked at: it crosses into another cell,
 /// or, without cells, has flown so far that another image may be the nearest. Where that is visibly after a limit
 /// it may say nothing.
-#[inline]
+#[cfg_attr(feature = "alloc", inline)]
+#[cfg_attr(not(feature = "alloc"), inline(never))]
 pub(super) fn out_of_reach<S: Scalar, const D: usize>(
     particles: &Particles<'_, S, D>,
     domain: &Domain<'_, S, D>,
@@ -144,7 +145,8 @@ fn boundary_sentinel<S: Scalar, const D: usize>(
     let mut first = None::<S>;
     let me = flight::at(body, domain, now);
     let acceleration = flight::acceleration(&me, domain);
-    for (axis, periodic) in domain.boundary.periodic_axes() {
+    let at_rest = |axis| domain.boundary.at_rest(axis).map(|periodic| (axis, periodic));
+    for (axis, periodic) in (0..D).filter_map(at_rest) {
         let far = Boundary::<S, D>::max_displacement(&periodic, largest_radius);
         let (v, a) = (me.velocity.get(axis), acceleration.get(axis));
         let span = v.zip(a).and_then(|(&v, &a)| root::leaving(far, v, a));

@@ -4,8 +4,8 @@ use super::bracketed_root::{Found, Search};
 use super::plate_acceleration::{peak_acceleration, peak_acceleration_along};
 use super::root;
 use crate::particle::Body;
-use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
-use crate::space::{Domain, Particles, Plane, flight};
+use crate::scalar::{Scalar, Vector, WideProduct, component, dot, norm};
+use crate::space::{Domain, Images, Particles, Plane, flight};
 
 /// At what time two bodies touch that nothing supports: BSFP14's rule. Uniform gravity leaves their
 /// relative motion straight.
@@ -19,6 +19,17 @@ pub(super) fn free_pair<S: Scalar, const D: usize>(
     [me, other]: [&Body<S, D>; 2],
     image: &Vector<S, D>,
 ) -> Option<S> {
+    let (from, [x, v], [y, w]) = at_later_clock(domain, [me, other]);
+    let span = root::spheres(&(x - y + image), &(v - w), me.radius + other.radius)?;
+    Some(from + span)
+}
+
+/// Positions and velocities of two bodies at the later of their clocks, and that.
+#[inline(always)]
+fn at_later_clock<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    [me, other]: [&Body<S, D>; 2],
+) -> (S, [Vector<S, D>; 2], [Vector<S, D>; 2]) {
     let mut from = me.clock;
     let (mut x, mut v) = (me.position, me.velocity);
     let (mut y, mut w) = (other.position, other.velocity);
@@ -28,7 +39,31 @@ pub(super) fn free_pair<S: Scalar, const D: usize>(
         from = other.clock;
         (x, v) = flight::free(me, domain, from);
     }
-    let span = root::spheres(&(x - y + image), &(v - w), me.radius + other.radius)?;
+    (from, [x, v], [y, w])
+}
+
+/// The same across a sheared face: the other's image so many rows above the box, that which is the nearest along the
+/// flow now. It depends on the two and on which image that is, not on when it is asked.
+pub(super) fn pair_across<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    images: &Images<S>,
+    now: S,
+    ((here, me), other): ((&Vector<S, D>, &Body<S, D>), &Body<S, D>),
+    rows: S,
+) -> Option<S> {
+    let [place, _] = images.image(rows, now);
+    let apart = here - flight::free(other, domain, now).0 - place;
+    let mut lengths = domain.boundary.nearest(domain.boundary.nearest(apart)) - apart;
+    let (from, [x, v], [y, w]) = at_later_clock(domain, [me, other]);
+    let flow = images.shear.flow;
+    let along = component(&place, flow) - component(&lengths, flow);
+    if let Some(along) = lengths.get_mut(flow) {
+        // They are in the place of the image then.
+        *along = S::zero();
+    }
+    let [then, moves] = images.continued(rows, (along, now), from);
+    let apart = x - y - then + lengths;
+    let span = root::spheres(&apart, &(v - w - moves), me.radius + other.radius)?;
     Some(from + span)
 }
 
@@ -65,16 +100,17 @@ pub(super) fn supported_pair<S: Scalar, const D: usize>(
         false => peak_acceleration(domain, me) + peak_acceleration(domain, other),
     };
     let bound = norm(&apart) + shaking;
-    let velocity = me.velocity - other.velocity;
+    let [separation, velocity] = domain.relative(me, other, start);
     if bound <= S::negligible_acceleration(reach) {
-        let found = root::spheres(&domain.separation(me, other), &velocity, reach);
+        let found = root::spheres(&separation, &velocity, reach);
         return found.map_or(Found::Nothing, Found::Event);
     }
     // Where they pass each other the distance grows by v²/r.
     let most = bound + S::dot(&velocity, &velocity).divided_by(reach);
     Search::new([bound, most], reach, limit).first(|t| {
         let [a, b] = [me, other].map(|body| flight::at(body, domain, start + t));
-        overlap(&domain.separation(&a, &b), &(a.velocity - b.velocity), reach)
+        let [apart, velocity] = domain.relative(&a, &b, start + t);
+        overlap(&apart, &velocity, reach)
     })
 }
 
@@ -101,7 +137,7 @@ pub(super) fn free_body_and_wall<S: Scalar, const D: usize>(
     let [mut v, a] = [&me.velocity, domain.gravity()].map(|x| dot(n, x));
     if let Some(drift) = wall.drift() {
         gap -= drift.at(me.clock).place;
-        v -= drift.speed;
+        v -= drift.rate();
     }
     let margin = me.radius * S::from_f32(1.0 / 256.0);
     if root::stays_above(margin, [gap, v, a], limit - me.clock) {
@@ -130,7 +166,7 @@ pub(super) fn body_and_plane<S: Scalar, const D: usize>(
         };
     };
     // Above the plate's highest place there is nothing to touch.
-    let top = vibration.amplitude.abs();
+    let top = vibration.swing().abs();
     if mean > top && !(peak_acceleration_along(domain, me, n) > S::zero()) {
         return match root::plane(mean - top, v, a) {
             Some(from) if from <= limit => bracketed(from),
@@ -175,8 +211,13 @@ pub(crate) fn pair_collision<S: Scalar, const D: usize>(
     let here = flight::at(me, domain, now);
     if other.is_asleep() {
         let there = flight::at(other, domain, now);
-        let (apart, nears) = (domain.separation(&here, &there), here.velocity - there.velocity);
+        let [apart, nears] = domain.relative(&here, &there, now);
         return Some(now + root::spheres(&apart, &nears, me.radius + other.radius)?);
+    }
+    if let Some(images) = domain.boundary.images() {
+        let there = flight::free(other, domain, now).0;
+        let rows = images.nearest_row(component(&(here.position - there), images.shear.gradient));
+        return pair_across(domain, images, now, ((&here.position, me), other), rows);
     }
     let image = match domain.boundary.is_open() {
         true => Vector::zeros(),

@@ -34,13 +34,15 @@ impl<S: Scalar, const D: usize> Predictor<'_, S, D> {
     #[inline]
     fn may_meet(&self, first: &ScheduledEvent<S>, other: &Body<S, D>, same_image: bool) -> bool {
         let span = self.now - other.clock;
-        let g = self.domain.gravity();
-        let there = other.position + (other.velocity + g * (span * S::half())) * span;
+        // Half of what gravity has added, twice.
+        let added = self.domain.gravity() * (span * S::half());
+        let mean = other.velocity + added;
+        let there = other.position + mean * span;
         let mut apart = self.here - there;
         if !same_image {
             apart = self.domain.boundary.nearest(apart);
         }
-        let velocity = self.velocity - (other.velocity + g * span);
+        let velocity = self.velocity - (mean + added);
         let motion = Motion::new(&apart, &velocity, self.me.radius + other.radius);
         let until = self.own.time.min(first.collision_time);
         motion.may_collide(until - self.now)

@@ -18,7 +18,18 @@ pub(crate) fn next_event<S: Scalar, const D: usize>(
     now: S,
     grain: usize,
 ) -> ScheduledEvent<S> {
-    predict(particles, domain, now, (grain, None))
+    predict(particles, domain, now, (grain, Look::Around))
+}
+
+/// The same in a contact until whose end nobody else can come near: nobody need be looked at.
+#[cfg(not(feature = "alloc"))]
+pub(crate) fn next_event_alone<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+    now: S,
+    grain: usize,
+) -> ScheduledEvent<S> {
+    predict(particles, domain, now, (grain, Look::Nowhere))
 }
 
 /// The earliest event of a grain that has just crossed into a cell: its collision is kept, and only the
@@ -29,11 +40,24 @@ pub(crate) fn next_event_after_crossing<S: Scalar, const D: usize>(
     now: S,
     (grain, crossing): (usize, ScheduledEvent<S>),
 ) -> ScheduledEvent<S> {
-    let is_new = particles.supported > 0 || crossing.face == ScheduledEvent::<S>::NO_FACE;
-    predict(particles, domain, now, (grain, if is_new { None } else { Some(&crossing) }))
+    if particles.supported > 0 || crossing.face == ScheduledEvent::<S>::NO_FACE {
+        return next_event(particles, domain, now, grain);
+    }
+    predict(particles, domain, now, (grain, Look::Ahead(&crossing)))
 }
 
-/// The same for a grain that has just crossed into a cell, or else.
+/// Which neighbours are looked at.
+enum Look<'a, S: Scalar> {
+    /// All.
+    Around,
+    /// Those in the cells ahead, after this crossing.
+    Ahead(&'a ScheduledEvent<S>),
+    /// None.
+    #[cfg(not(feature = "alloc"))]
+    Nowhere,
+}
+
+/// The same with a look at these neighbours.
 // With one caller for each way a function for each is faster; and smaller it is as one.
 #[cfg_attr(feature = "alloc", inline(always))]
 #[cfg_attr(not(feature = "alloc"), inline(never))]
@@ -41,28 +65,30 @@ fn predict<S: Scalar, const D: usize>(
     particles: &Particles<'_, S, D>,
     domain: &Domain<'_, S, D>,
     now: S,
-    (grain, crossing): (usize, Option<&ScheduledEvent<S>>),
+    (grain, look): (usize, Look<'_, S>),
 ) -> ScheduledEvent<S> {
     let Some(predictor) = Predictor::new(particles, domain, now, grain) else {
         return ScheduledEvent::NONE;
     };
     let (from, filler) = ((&predictor.at, predictor.me.radius), predictor.filler());
-    let mut first = crossing.map_or(ScheduledEvent::NONE, |event| event.only_collision());
-    match crossing {
-        Some(crossing) => {
-            let face = CellFace::from_code(crossing.face);
-            let visit = &mut |batch: &NeighbourBatch| predictor.batch(&mut first, batch);
-            particles.cells.ahead(from, face, filler, visit);
-        }
-        None => {
-            // Walls first: who cannot be met before the earliest collision known need not be looked at closely.
-            predictor.walls(&mut first);
-            let visit = &mut |batch: &NeighbourBatch| predictor.batch(&mut first, batch);
-            particles.cells.batches(from, filler, visit);
-        }
+    let mut first = ScheduledEvent::NONE;
+    if let Look::Ahead(crossing) = look {
+        first = crossing.only_collision();
+        let face = CellFace::from_code(crossing.face);
+        let visit = &mut |batch: &NeighbourBatch| predictor.batch(&mut first, batch);
+        particles.cells.ahead(from, face, filler, visit);
+    } else {
+        // Walls first: who cannot be met before the earliest collision known need not be looked at closely.
+        predictor.walls(&mut first);
     }
-    predictor.plates(&mut first);
-    predictor.earliest(first)
+    if let Look::Around = look {
+        let visit = &mut |batch: &NeighbourBatch| predictor.batch(&mut first, batch);
+        particles.cells.batches(from, filler, visit);
+    }
+    if domain.is_plain() && !predictor.me.is_supported() {
+        return predictor.earliest(first);
+    }
+    predictor.among_what_moves(&first)
 }
 
 /// Predicts the events of one grain.
@@ -74,19 +100,25 @@ pub(super) struct Predictor<'a, S: Scalar, const D: usize> {
     /// The grain at its own clock.
     pub me: &'a Body<S, D>,
     /// Its cell's numbers along the axes.
-    at: [u32; D],
+    pub at: [u32; D],
     /// Where it is now and how it flies, if nothing supports it.
     pub here: Vector<S, D>,
     pub velocity: Vector<S, D>,
     /// What it does by itself.
     pub own: ScheduledEvent<S>,
-    /// When it gets out of reach of the neighbours, if that must be known before they are looked at.
-    out_of_reach: Option<ScheduledEvent<S>>,
+    /// When it gets out of reach of the neighbours; nothing where that is asked last.
+    out_of_reach: ScheduledEvent<S>,
 }
 
-/// Whether a grain that flies is asked last when it leaves its cell: only if nothing happens before. A processor that
-/// guesses branches gains nothing by that.
-const CELL_LAST: bool = !cfg!(feature = "alloc");
+/// Whether a grain is asked last when it leaves its cell: only if nothing happens before. A processor that guesses
+/// branches gains nothing by that.
+#[inline(always)]
+fn asks_cell_last<S: Scalar, const D: usize>(
+    particles: &Particles<'_, S, D>,
+    domain: &Domain<'_, S, D>,
+) -> bool {
+    !cfg!(feature = "alloc") && particles.supported == 0 && domain.is_plain()
+}
 
 impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     #[inline(always)]
@@ -100,29 +132,20 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
         let (here, velocity) = flight::free(me, domain, now);
         let at = particles.cells.coordinates(me.cell);
         let own = own_event(domain, now, me);
-        let out_of_reach = None;
-        let mut predictor =
-            Self { particles, domain, now, grain, me, at, here, velocity, own, out_of_reach };
-        // Searches go no further than to the next cell.
-        if !(CELL_LAST && particles.supported == 0 && domain.is_still()) {
-            predictor.out_of_reach = Some(predictor.out_of_reach(S::NEVER));
-        }
-        Some(predictor)
-    }
-
-    /// When it gets out of reach of its neighbours; where that is after a limit it may say nothing.
-    #[cfg_attr(feature = "alloc", inline(always))]
-    #[cfg_attr(not(feature = "alloc"), inline(never))]
-    fn out_of_reach(&self, limit: S) -> ScheduledEvent<S> {
-        let of = (&self.at, [&self.here, &self.velocity]);
-        let times = (self.now, limit);
-        cell_crossing::out_of_reach(self.particles, self.domain, times, self.me, of)
+        // Searches go no further than to the next cell: they must know.
+        let out_of_reach = match asks_cell_last(particles, domain) {
+            true => ScheduledEvent::NONE,
+            false => {
+                let of = (&at, [&here, &velocity]);
+                cell_crossing::out_of_reach(particles, domain, (now, S::NEVER), me, of)
+            }
+        };
+        Some(Self { particles, domain, now, grain, me, at, here, velocity, own, out_of_reach })
     }
 
     /// Until when a search needs to look.
-    fn limit(&self, first: &ScheduledEvent<S>) -> S {
-        let cell = self.out_of_reach.map_or(S::NEVER, |event| event.time);
-        self.own.time.min(cell).min(first.collision_time)
+    pub fn limit(&self, first: &ScheduledEvent<S>) -> S {
+        self.own.time.min(self.out_of_reach.time).min(first.collision_time)
     }
 
     /// The grain itself: what a batch is filled up with.
@@ -142,6 +165,18 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
             false => collision_time::nearest_image(self.domain, self.now, &self.here, other),
         };
         let time = collision_time::free_pair(self.domain, [self.me, other], &image);
+        self.meet(first, (k, other), time);
+    }
+
+    /// Takes into account that it would touch grain `k` at a time, if nothing stopped the two.
+    #[cfg_attr(feature = "alloc", inline(always))]
+    #[cfg_attr(not(feature = "alloc"), inline)]
+    pub fn meet(
+        &self,
+        first: &mut ScheduledEvent<S>,
+        (k, other): (usize, &Body<S, D>),
+        time: Option<S>,
+    ) {
         let time = time.filter(|&time| time <= first.collision_time);
         let Some(time) = time.filter(|_| !self.is_in_contact_with(k, other)) else { return };
         let time = time.max(self.me.uninterruptible_until()).max(other.uninterruptible_until());
@@ -174,13 +209,13 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     }
 
     /// A body at a time, which often is its own.
-    fn at(&self, body: &Body<S, D>, time: S) -> Body<S, D> {
+    pub fn at(&self, body: &Body<S, D>, time: S) -> Body<S, D> {
         if body.clock == time { *body } else { flight::at(body, self.domain, time) }
     }
 
     /// Searches from where the motions began, so that the event has the same bits whenever one asks; what is past
     /// by now was put off, and only what follows counts.
-    fn search(&self, start: S, look: impl Fn(S) -> Found<S>) -> Found<S> {
+    pub fn search(&self, start: S, look: impl Fn(S) -> Found<S>) -> Found<S> {
         let found = look(start).from(start);
         if start < self.now && found.time() <= self.now {
             return look(self.now).from(self.now);
@@ -192,9 +227,9 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     #[cold]
     fn deferred(&self, first: &mut ScheduledEvent<S>, k: usize) {
         let [me, other] = [self.grain, k].map(|i| self.particles.present(i, self.domain, self.now));
-        let apart = self.domain.separation(&me, &other);
+        let [apart, velocity] = self.domain.relative(&me, &other, self.now);
         let reach = me.radius + other.radius;
-        if let Some(span) = root::spheres(&apart, &(me.velocity - other.velocity), reach) {
+        if let Some(span) = root::spheres(&apart, &velocity, reach) {
             self.keep_earlier(first, self.now + span, Partner::grain(k), other.event_count);
         }
     }
@@ -202,11 +237,12 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     /// Takes the collisions with planes that do not move into account, if nothing supports the grain.
     #[inline]
     fn walls(&self, first: &mut ScheduledEvent<S>) {
-        if self.me.is_supported() {
+        let walls = self.domain.boundary.planes();
+        if walls.is_empty() || self.me.is_supported() {
             return;
         }
         let from = self.now.max(self.me.uninterruptible_until());
-        for (p, wall) in self.domain.boundary.planes().iter().enumerate() {
+        for (p, wall) in walls.iter().enumerate() {
             if wall.vibration().is_some() || self.me.partner == Partner::plane(p) {
                 continue;
             }
@@ -217,13 +253,26 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
         }
     }
 
-    /// Takes the collisions with vibrating planes into account, or with all if something supports the grain.
-    #[inline]
-    fn plates(&self, first: &mut ScheduledEvent<S>) {
-        let supported = self.me.is_supported();
-        if self.domain.is_still() && !supported {
-            return;
+    /// The earliest event where more than grains moves, planes or images, or where there are obstacles; or all planes
+    /// count, since something supports the grain.
+    #[inline(never)]
+    fn among_what_moves(&self, first: &ScheduledEvent<S>) -> ScheduledEvent<S> {
+        let mut first = *first;
+        match self.domain.boundary.images() {
+            Some(images) => self.across(&mut first, images),
+            None => {
+                self.plates(&mut first);
+                let obstacles = self.domain.boundary.obstacles();
+                obstacles.into_iter().for_each(|all| self.moving_obstacles(&mut first, all));
+                let looked = obstacles.and_then(|all| self.obstacles(&mut first, all));
+                Self::or_looks_on(self.earliest(first), looked)
+            }
         }
+    }
+
+    /// Takes the collisions with vibrating planes into account, or with all if something supports the grain.
+    pub fn plates(&self, first: &mut ScheduledEvent<S>) {
+        let supported = self.me.is_supported();
         for (p, plane) in self.domain.boundary.planes().iter().enumerate() {
             if supported || plane.vibration().is_some() {
                 self.plate(first, (p, plane));
@@ -248,7 +297,7 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     }
 
     /// Takes what a search found into account: not before `from`, and a recheck where it paused.
-    fn found(&self, first: &mut ScheduledEvent<S>, found: Found<S>, from: S, partner: Partner) {
+    pub fn found(&self, first: &mut ScheduledEvent<S>, found: Found<S>, from: S, partner: Partner) {
         let other = partner.as_grain().and_then(|k| self.particles.body(k));
         let count = other.map_or(0, |body| body.event_count);
         match found {
@@ -300,11 +349,28 @@ impl<'a, S: Scalar, const D: usize> Predictor<'a, S, D> {
     /// The first of the collision, what the grain does by itself, and its way out of reach.
     #[inline]
     fn earliest(&self, collision: ScheduledEvent<S>) -> ScheduledEvent<S> {
+        self.earliest_of(collision, &self.own)
+    }
+
+    /// The same where the grain does this by itself.
+    #[inline]
+    pub fn earliest_of(
+        &self,
+        collision: ScheduledEvent<S>,
+        own: &ScheduledEvent<S>,
+    ) -> ScheduledEvent<S> {
         let mut first = collision;
-        if self.own.time <= first.time && self.own.kind != EventKind::Nothing {
-            first = self.own;
+        if own.time <= first.time && own.kind != EventKind::Nothing {
+            first = *own;
         }
-        let out_of_reach = self.out_of_reach.unwrap_or_else(|| self.out_of_reach(first.time));
+        let out_of_reach = match asks_cell_last(self.particles, self.domain) {
+            true => {
+                let of = (&self.at, [&self.here, &self.velocity]);
+                let times = (self.now, first.time);
+                cell_crossing::out_of_reach(self.particles, self.domain, times, self.me, of)
+            }
+            false => self.out_of_reach,
+        };
         if out_of_reach.time < first.time && out_of_reach.time <= S::LAST {
             let ScheduledEvent { time, kind, face, .. } = out_of_reach;
             first = ScheduledEvent { time, kind, face, ..collision };

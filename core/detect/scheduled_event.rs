@@ -19,6 +19,8 @@ pub enum EventKind {
     TakeOff,
     /// What supports it may have gone.
     SupportCheck,
+    /// It leaves a sheared box, and its image comes in at the other side.
+    ShearCrossing,
     /// It leaves its cell: other grains are near it then.
     CellCrossing,
     /// It has flown so far along a periodic axis that another image may be the nearest.

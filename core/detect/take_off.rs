@@ -34,7 +34,7 @@ fn falls_away<S: Scalar, const D: usize>(
     if peak <= -falls || !(peak > S::zero()) {
         return Found::Nothing;
     }
-    let sign = if vibration.amplitude > S::zero() { S::one() } else { -S::one() };
+    let sign = if vibration.swing() > S::zero() { S::one() } else { -S::one() };
     let search = Search::new([peak * omega * omega; 2], peak, S::NEVER);
     search.first(|t| {
         let (sin, cos) = vibration.phase_at(start + t);

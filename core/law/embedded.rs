@@ -15,12 +15,10 @@ use carom_tables::read::Quantised;
 use carom_tables::read::{Law, StoredNumber, Table};
 
 /// What build.rs made.
-#[cfg(any(feature = "compact", feature = "standard", feature = "wide", feature = "fine"))]
 #[allow(clippy::all, clippy::pedantic)]
 mod made {
     include!(concat!(env!("OUT_DIR"), "/tables.rs"));
 }
-#[cfg(any(feature = "compact", feature = "standard", feature = "wide", feature = "fine"))]
 pub use made::*;
 
 /// A set of embedded tables, one for each force law, in the form that numbers of type `S` read.

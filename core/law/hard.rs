@@ -2,6 +2,7 @@
 
 use super::enduring::Enduring;
 use super::rule::{Answer, Impact, Response, Rule};
+use super::tangential::Tangential;
 use crate::error::{Error, Subject};
 use crate::scalar::Scalar;
 
@@ -64,5 +65,14 @@ impl<S: Scalar, R: Rule<S>> Rule<S> for Central<R> {
 
     fn check(&self) -> Result<(), Error> {
         self.0.check()
+    }
+
+    #[inline(always)]
+    fn inertia(&self) -> Option<S> {
+        self.0.inertia()
+    }
+    #[inline(always)]
+    fn tangential(&self, materials: [u8; 2]) -> Option<Tangential<S>> {
+        self.0.tangential(materials)
     }
 }

@@ -2,8 +2,10 @@
 
 use super::enduring::Enduring;
 use super::rule::{Answer, ContactForce, Impact, Response, Rule};
+use super::tangential::Tangential;
 use crate::error::{Error, Subject};
 use crate::scalar::Scalar;
+use carom_tables::read::Compression;
 
 /// A rule for each pair of `M` materials.
 ///
@@ -110,7 +112,21 @@ impl<S: Scalar, R: Rule<S>> Rule<S> for PairRules<'_, R> {
         if self.rules.is_empty() {
             return Err(Error::input(Subject::Rule, "materials", 0.0, "at least 1"));
         }
-        self.rules.iter().try_for_each(Rule::check)
+        self.rules.iter().try_for_each(Rule::check)?;
+        let remembers = self.remembers();
+        if self.rules.iter().any(|rule| rule.remembers() != remembers) {
+            let wanted = "for all pairs of materials, or for none (Integrated)";
+            return Err(Error::input(Subject::Rule, "force law of one's own", 1.0, wanted));
+        }
+        let inertia = self.inertia();
+        match self.rules.iter().map(Rule::inertia).find(|q| *q != inertia) {
+            None => Ok(()),
+            Some(q) => {
+                let wanted = "the same for all materials (smooth ones: Rough with beta = -1)";
+                let q = q.map_or(0.0, S::to_f64);
+                Err(Error::input(Subject::Rule, "inertia", q, wanted))
+            }
+        }
     }
 
     #[inline(always)]
@@ -122,6 +138,34 @@ impl<S: Scalar, R: Rule<S>> Rule<S> for PairRules<'_, R> {
     fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
         let times = self.rules.iter().filter_map(|rule| rule.contact_time(impact, overlap));
         times.reduce(S::min)
+    }
+
+    #[inline(always)]
+    fn remembers(&self) -> bool {
+        self.rules.iter().any(Rule::remembers)
+    }
+
+    fn remembered_force(&self, impact: &Impact<S>, now: [S; 2], memory: &mut [S; 2]) -> S {
+        let rule = self.rule(impact.materials);
+        rule.map_or(S::zero(), |rule| rule.remembered_force(impact, now, memory))
+    }
+
+    fn reach(&self, impact: &Impact<S>) -> S {
+        self.rule(impact.materials).map_or(S::zero(), |rule| rule.reach(impact))
+    }
+
+    #[inline(always)]
+    fn inertia(&self) -> Option<S> {
+        self.rules.iter().find_map(Rule::inertia)
+    }
+
+    #[inline(always)]
+    fn tangential(&self, materials: [u8; 2]) -> Option<Tangential<S>> {
+        self.rule(materials)?.tangential(materials)
+    }
+
+    fn course(&self, impact: &Impact<S>) -> Option<(S, Compression<S>)> {
+        self.rule(impact.materials)?.course(impact)
     }
 }
 
@@ -149,5 +193,30 @@ impl<S: Scalar, R: Rule<S>, const M: usize> Rule<S> for ByMaterial<R, M> {
 
     fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
         self.pairs().contact_time(impact, overlap)
+    }
+
+    #[inline(always)]
+    fn remembers(&self) -> bool {
+        self.pairs().remembers()
+    }
+    fn remembered_force(&self, impact: &Impact<S>, now: [S; 2], memory: &mut [S; 2]) -> S {
+        self.pairs().remembered_force(impact, now, memory)
+    }
+    fn reach(&self, impact: &Impact<S>) -> S {
+        self.pairs().reach(impact)
+    }
+
+    #[inline(always)]
+    fn inertia(&self) -> Option<S> {
+        self.pairs().inertia()
+    }
+
+    #[inline(always)]
+    fn tangential(&self, materials: [u8; 2]) -> Option<Tangential<S>> {
+        self.pairs().tangential(materials)
+    }
+
+    fn course(&self, impact: &Impact<S>) -> Option<(S, Compression<S>)> {
+        self.pairs().course(impact)
     }
 }

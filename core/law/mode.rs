@@ -2,8 +2,10 @@
 
 use super::enduring::Enduring;
 use super::rule::{Answer, ContactForce, Impact, Rule};
+use super::tangential::Tangential;
 use crate::error::Error;
 use crate::scalar::Scalar;
+use carom_tables::read::Compression;
 
 /// A rule whose worlds are always in the papers' mode, whatever the builder is told: a program that has no other
 /// worlds carries no code for clusters (28 KB on a Cortex-M4F).
@@ -50,6 +52,27 @@ macro_rules! in_mode {
             }
             fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
                 self.0.contact_time(impact, overlap)
+            }
+            #[inline(always)]
+            fn remembers(&self) -> bool {
+                self.0.remembers()
+            }
+            fn remembered_force(&self, impact: &Impact<S>, now: [S; 2], memory: &mut [S; 2]) -> S {
+                self.0.remembered_force(impact, now, memory)
+            }
+            fn reach(&self, impact: &Impact<S>) -> S {
+                self.0.reach(impact)
+            }
+            #[inline(always)]
+            fn inertia(&self) -> Option<S> {
+                self.0.inertia()
+            }
+            #[inline(always)]
+            fn tangential(&self, materials: [u8; 2]) -> Option<Tangential<S>> {
+                self.0.tangential(materials)
+            }
+            fn course(&self, impact: &Impact<S>) -> Option<(S, Compression<S>)> {
+                self.0.course(impact)
             }
         }
     };

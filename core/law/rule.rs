@@ -1,8 +1,10 @@
 //! What is a rule asked, and what does it answer? An impact and the matrix of restitution; reads and writes nothing.
 
 use super::enduring::Enduring;
+use super::tangential::Tangential;
 use crate::error::Error;
 use crate::scalar::Scalar;
+use carom_tables::read::Compression;
 
 /// Two bodies at the instant they touch, in all that a rule may depend on.
 ///
@@ -158,26 +160,93 @@ pub trait Rule<S: Scalar> {
     fn contact_time(&self, _impact: &Impact<S>, _overlap: S) -> Option<S> {
         None
     }
+
+    /// Whether contacts have a force law that only integration knows: [`Rule::remembered_force`]. False, the default,
+    /// is known to the compiler.
+    #[inline(always)]
+    fn remembers(&self) -> bool {
+        false
+    }
+
+    /// The force between two bodies that overlap by this much, which grows at this rate, where
+    /// [`Rule::remembers`]; the contact's own two numbers are 0 at its beginning. Below zero it attracts.
+    fn remembered_force(&self, _impact: &Impact<S>, _now: [S; 2], _memory: &mut [S; 2]) -> S {
+        S::zero()
+    }
+
+    /// Up to which gap a contact goes on that has begun, where [`Rule::remembers`].
+    fn reach(&self, _impact: &Impact<S>) -> S {
+        S::zero()
+    }
+
+    /// q = I/(m R²) of all grains, if they rotate. None, the default, is smooth grains: what rotation takes is not in
+    /// their programs at all.
+    #[inline(always)]
+    fn inertia(&self) -> Option<S> {
+        None
+    }
+
+    /// What the surfaces of two materials do to each other, where grains rotate; none: they are smooth.
+    #[inline(always)]
+    fn tangential(&self, _materials: [u8; 2]) -> Option<Tangential<S>> {
+        None
+    }
+
+    /// How a contact that nothing turns goes over time, and the unit T of that time: from it follows what rough surfaces
+    /// do in it. None, the default: the contacts of rough grains that last are integrated.
+    fn course(&self, _impact: &Impact<S>) -> Option<(S, Compression<S>)> {
+        None
+    }
 }
 
-impl<S: Scalar, R: Rule<S> + ?Sized> Rule<S> for &R {
-    #[inline(always)]
-    fn enduring(&self) -> Option<Enduring> {
-        (**self).enduring()
-    }
-    fn collide(&self, impact: &Impact<S>) -> Answer<S> {
-        (**self).collide(impact)
-    }
-    fn adds_energy(&self) -> bool {
-        (**self).adds_energy()
-    }
-    fn check(&self) -> Result<(), Error> {
-        (**self).check()
-    }
-    fn force(&self, impact: &Impact<S>, overlap: S) -> Option<ContactForce<S>> {
-        (**self).force(impact, overlap)
-    }
-    fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
-        (**self).contact_time(impact, overlap)
-    }
+/// What points to a rule is the same rule.
+macro_rules! through {
+    ($pointer:ty) => {
+        impl<S: Scalar, R: Rule<S> + ?Sized> Rule<S> for $pointer {
+            #[inline(always)]
+            fn enduring(&self) -> Option<Enduring> {
+                (**self).enduring()
+            }
+            fn collide(&self, impact: &Impact<S>) -> Answer<S> {
+                (**self).collide(impact)
+            }
+            fn adds_energy(&self) -> bool {
+                (**self).adds_energy()
+            }
+            fn check(&self) -> Result<(), Error> {
+                (**self).check()
+            }
+            fn force(&self, impact: &Impact<S>, overlap: S) -> Option<ContactForce<S>> {
+                (**self).force(impact, overlap)
+            }
+            fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
+                (**self).contact_time(impact, overlap)
+            }
+            #[inline(always)]
+            fn remembers(&self) -> bool {
+                (**self).remembers()
+            }
+            fn remembered_force(&self, impact: &Impact<S>, now: [S; 2], memory: &mut [S; 2]) -> S {
+                (**self).remembered_force(impact, now, memory)
+            }
+            fn reach(&self, impact: &Impact<S>) -> S {
+                (**self).reach(impact)
+            }
+            #[inline(always)]
+            fn inertia(&self) -> Option<S> {
+                (**self).inertia()
+            }
+            #[inline(always)]
+            fn tangential(&self, materials: [u8; 2]) -> Option<Tangential<S>> {
+                (**self).tangential(materials)
+            }
+            fn course(&self, impact: &Impact<S>) -> Option<(S, Compression<S>)> {
+                (**self).course(impact)
+            }
+        }
+    };
 }
+
+through!(&R);
+#[cfg(feature = "alloc")]
+through!(alloc::boxed::Box<R>);

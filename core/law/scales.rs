@@ -1,9 +1,10 @@
 //! Which scales does a force law set? Reads material and impact; writes T, X and c_dis.
 
+use super::embedded::history;
 use super::rule::{ContactForce, Impact, Outcome};
 use crate::error::{Error, Subject};
 use crate::scalar::{Scalar, WideProduct};
-use carom_tables::read::{Groups, Law, ScaledRestitution};
+use carom_tables::read::{Compression, Groups, Law, ScaledRestitution};
 
 /// The scales of one impact (MP13, Sec. V).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,6 +72,16 @@ pub trait ForceLaw<S: Scalar> {
     fn scales(&self, impact: &Impact<S>) -> Scales<S>;
     /// The force of two bodies that overlap by this much.
     fn force(&self, impact: &Impact<S>, overlap: S) -> ContactForce<S>;
+    /// How a contact that nothing turns goes over time, in the unit T; none where its dissipation is beyond what is
+    /// tabulated.
+    fn course(&self, impact: &Impact<S>) -> Option<(S, Compression<S>)> {
+        let scales = self.scales(impact);
+        let history = match Self::LAW {
+            Law::LinearDashpot => &history::LINEAR_DASHPOT,
+            Law::Viscoelastic => &history::VISCOELASTIC,
+        };
+        Some((scales.time, history.at(scales.c_dis)?))
+    }
     /// How long a contact of the two lasts without damping, at the speed of this impact or already
     /// pressed together by this much, whichever makes it shorter.
     fn contact_time(&self, impact: &Impact<S>, overlap: S) -> S;
@@ -200,7 +211,7 @@ fn fits<S: Scalar>(field: &'static str, value: S) -> Result<(), Error> {
     Ok(())
 }
 
-fn positive<S: Scalar>(field: &'static str, value: S) -> Result<(), Error> {
+pub(super) fn positive<S: Scalar>(field: &'static str, value: S) -> Result<(), Error> {
     fits(field, value)?;
     if value > S::zero() && value.is_finite() {
         return Ok(());
@@ -208,7 +219,7 @@ fn positive<S: Scalar>(field: &'static str, value: S) -> Result<(), Error> {
     Err(Error::input(Subject::Rule, field, value.to_f64(), "finite and above 0"))
 }
 
-fn not_negative<S: Scalar>(field: &'static str, value: S) -> Result<(), Error> {
+pub(super) fn not_negative<S: Scalar>(field: &'static str, value: S) -> Result<(), Error> {
     fits(field, value)?;
     if value >= S::zero() && value.is_finite() {
         return Ok(());

@@ -10,7 +10,7 @@ use super::scales::ForceLaw;
 use super::scales::{LinearDashpot, Viscoelastic};
 use crate::error::Error;
 use crate::scalar::Scalar;
-use carom_tables::read::{Groups, StoredNumber, Table};
+use carom_tables::read::{Compression, Groups, StoredNumber, Table};
 
 /// What to do with an impact outside the table's domain. It is counted in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -127,6 +127,10 @@ where
 
     fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
         Some(self.law.contact_time(impact, overlap))
+    }
+
+    fn course(&self, impact: &Impact<S>) -> Option<(S, Compression<S>)> {
+        self.law.course(impact)
     }
 }
 

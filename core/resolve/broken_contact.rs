@@ -64,7 +64,8 @@ fn with_grain<S: Scalar, const D: usize>(
     let touch = context.particles.body(i).map_or(S::zero(), |body| body.reference_time);
     let to = until(context, touch);
     let [a, b] = [i, k].map(|x| context.particles.present(x, context.domain, to));
-    let (apart, away) = (context.domain.separation(&a, &b), a.velocity_change - b.velocity_change);
+    let (apart, away) =
+        (context.domain.separation(&a, &b, to), a.velocity_change - b.velocity_change);
     let reach = a.radius + b.radius;
     let distance = norm(&apart);
     let e = apart / distance;
@@ -92,12 +93,11 @@ fn with_grain<S: Scalar, const D: usize>(
         relative = integrate(rule, &impact(speed), touching, (to - touch, step));
     }
     let mass = a.mass + b.mass;
-    let velocity = a.velocity;
     for (x, body, share) in [(i, &a, b.mass / mass), (k, &b, -(a.mass / mass))] {
         let step = context.domain.boundary.on_lattice((relative[0] - apart) * share);
         let free = Body {
             position: body.position + step,
-            velocity: velocity + relative[1] * share,
+            velocity: body.velocity + relative[1] * share,
             partner: Partner::NOTHING,
             ..*body
         };

@@ -1,6 +1,6 @@
 //! How does a lasting contact begin? Reads bodies and an outcome; writes bodies, turned and bound (E^φ).
 
-use super::clearance::is_free;
+use super::clearance::{Room, room};
 use super::context::Context;
 use super::effects::{EventOutcome, Incident};
 use super::impact_frame::ImpactFrame;
@@ -8,7 +8,7 @@ use super::wake;
 use crate::law::Outcome;
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, WideProduct, dot, norm, reject};
-use crate::space::Plane;
+use crate::space::{Domain, Plane};
 
 /// E^φ: the line of centres turns, both grains take the velocity of their centre of mass, and what
 /// they will have after the contact is kept for E^v (MP13 §VI.B.2). False if the turn would overlap a
@@ -21,9 +21,13 @@ pub(super) fn begin<S: Scalar, const D: usize>(
 ) -> bool {
     let turn = Turn::new(context, [a, b], (frame, outcome));
     let [at_a, at_b] = turn.positions;
-    if !(has_room(context, i, at_a, Partner::grain(k))
-        && has_room(context, k, at_b, Partner::grain(i)))
+    // Both take the velocity of their centre of mass, which is not faster than the faster of them.
+    let fastest = a.velocity.zip_map(&b.velocity, |x, y| x.abs().max(y.abs()));
+    let moving = (fastest, outcome.duration);
+    if !(has_room(context, ((i, a), at_a, Partner::grain(k)), &moving)
+        && has_room(context, ((k, b), at_b, Partner::grain(i)), &moving))
     {
+        context.effects.alone = 0;
         context.count(Incident::RotationRefused);
         return false;
     }
@@ -59,7 +63,7 @@ impl<S: Scalar, const D: usize> Turn<S, D> {
         let (separation, velocity) = frame.after(a.radius + b.radius, outcome);
         let mass = a.mass + b.mass;
         let (share_a, share_b) = (b.mass / mass, -(a.mass / mass));
-        let moved = separation - context.domain.separation(a, b);
+        let moved = separation - context.domain.separation(a, b, context.now());
         // Steps on the lattice: positions then do not depend on the image in which a grain is kept.
         let step = |share| context.domain.boundary.on_lattice(moved * share);
         Self {
@@ -76,12 +80,12 @@ impl<S: Scalar, const D: usize> Turn<S, D> {
         [a, b]: [&Body<S, D>; 2],
         duration: S,
     ) {
-        let centre = b.velocity + (a.velocity - b.velocity) * (a.mass / (a.mass + b.mass));
+        let [centre, centre_of_b] = centre_velocities(context.domain, [a, b]);
         let ([at_a, at_b], [change_a, change_b]) = (self.positions, self.changes);
-        for (x, body, position, velocity_change, partner) in
-            [(i, a, at_a, change_a, k), (k, b, at_b, change_b, i)]
+        for (x, body, [position, velocity], velocity_change, partner) in
+            [(i, a, [at_a, centre], change_a, k), (k, b, [at_b, centre_of_b], change_b, i)]
         {
-            let there = Body { position, velocity: centre, ..body.awake() };
+            let there = Body { position, velocity, ..body.awake() };
             let bound = Body {
                 velocity_change,
                 contact_end: context.now() + duration,
@@ -95,6 +99,20 @@ impl<S: Scalar, const D: usize> Turn<S, D> {
             }
         }
     }
+}
+
+/// The velocity of the centre of mass of two bodies, in the image of each.
+pub(super) fn centre_velocities<S: Scalar, const D: usize>(
+    domain: &Domain<'_, S, D>,
+    [a, b]: [&Body<S, D>; 2],
+) -> [Vector<S, D>; 2] {
+    let share = a.mass / (a.mass + b.mass);
+    let Some(image) = domain.image_velocity(a, b) else {
+        return [b.velocity + (a.velocity - b.velocity) * share; 2];
+    };
+    let there = b.velocity + image;
+    let centre = there + (a.velocity - there) * share;
+    [centre, centre - image]
 }
 
 /// E^φ against a plane: the grain stays at ε_r R from it for the contact duration; the motion along
@@ -115,7 +133,8 @@ pub(super) fn begin_with_plane<S: Scalar, const D: usize>(
     let shift = body.radius * (outcome.separation - S::one())
         - plane.gap(&body.position, body.radius, start);
     let mut position = body.position + n * shift;
-    if !has_room(context, i, position, Partner::plane(p)) {
+    let moving = (body.velocity, outcome.duration);
+    if !has_room(context, ((i, body), position, Partner::plane(p)), &moving) {
         context.count(Incident::RotationRefused);
         position = body.position;
     }
@@ -151,13 +170,48 @@ pub(super) fn is_pulled_off<S: Scalar, const D: usize>(
     away > S::zero() && away.times(duration) > body.radius.times(S::from_f32(0.125))
 }
 
+/// Whether there is room for a grain that moves on so fast, and how long; it is noted where nobody can come near meanwhile.
 fn has_room<S: Scalar, const D: usize>(
-    context: &Context<'_, '_, S, D>,
-    grain: usize,
-    position: Vector<S, D>,
-    except: Partner,
+    context: &mut Context<'_, '_, S, D>,
+    place: ((usize, &Body<S, D>), Vector<S, D>, Partner),
+    moving: &(Vector<S, D>, S),
 ) -> bool {
-    is_free(context.particles, context.domain, context.now(), (grain, position, except))
+    let ((grain, body), ..) = place;
+    let margin = alone_within(context, body.radius, moving);
+    let room = room(context.particles, context.domain, context.now(), place, margin);
+    if room == Room::Alone {
+        context.effects.stands_alone(grain);
+    }
+    room != Room::None
+}
+
+/// At what distance others cannot come near meanwhile, if that is less than a 64th of the grain's radius.
+///
+/// Only on small machines, which look at neighbours one by one, and for what flies freely in numbers that have no range.
+#[cfg(not(feature = "alloc"))]
+fn alone_within<S: Scalar, const D: usize>(
+    context: &Context<'_, '_, S, D>,
+    radius: S,
+    (velocity, duration): &(Vector<S, D>, S),
+) -> Option<S> {
+    let (particles, domain) = (&context.particles, context.domain);
+    if S::RANGE.is_some() || particles.supported > 0 || domain.boundary.images().is_some() {
+        return None;
+    }
+    let most = radius * S::from_f32(1.0 / 64.0);
+    let way = particles.way_of_others(domain, (context.now(), *duration), velocity);
+    // As much again for rounding.
+    let margin = way + most * S::from_f32(1.0 / 64.0);
+    (margin < most).then_some(margin)
+}
+
+#[cfg(feature = "alloc")]
+fn alone_within<S: Scalar, const D: usize>(
+    _: &Context<'_, '_, S, D>,
+    _: S,
+    _: &(Vector<S, D>, S),
+) -> Option<S> {
+    None
 }
 
 /// Until when a contact that begins now cannot be ended by a third body: a 64th of its duration, or,

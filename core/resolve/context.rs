@@ -61,9 +61,14 @@ impl<S: Scalar, const D: usize> Context<'_, '_, S, D> {
         self.particles.replace(&self.domain.boundary, grain, body);
     }
 
-    /// Writes a body that was put somewhere else.
+    /// Writes a body that was put somewhere else, at its own clock.
     pub fn relocate(&mut self, grain: usize, body: Body<S, D>) {
-        self.particles.relocate(&self.domain.boundary, grain, body);
+        self.particles.relocate(&self.domain.boundary, (grain, body.clock), body);
+    }
+
+    /// The same for one that is inside the box along the gradient of a shear.
+    pub fn put_inside(&mut self, grain: usize, body: Body<S, D>) {
+        self.particles.put_inside(&self.domain.boundary, grain, body);
     }
 
     /// A grain is clustered from now on.

@@ -7,7 +7,8 @@ use super::accept_answer::ask;
 use super::context::Context;
 use super::effects::{EventOutcome, Incident};
 use super::impact_frame::ImpactFrame;
-use super::{broken_contact, contact_begin, make_room, plane_collision};
+use super::surface_contact::{Friction, Surfaces};
+use super::{broken_contact, contact_begin, make_room, plane_collision, surface_collision};
 use crate::cluster::{Course, MAX_COLLISIONS, Party, is_crowded};
 use crate::error::Error;
 use crate::law::{Outcome, Response, Rule};
@@ -29,16 +30,28 @@ pub(super) fn touch<S: Scalar, const D: usize>(
     (i, partner): (usize, Partner),
 ) -> Result<EventOutcome<S>, Error> {
     let other = partner.as_grain();
-    let partners = [Some(i), other].map(|x| broken_off(context, rule, x));
-    if partners.iter().any(Option::is_some) {
-        make_room(context, rule, ([Some(i), other], partners));
-        return Ok(join(context, [Some(i), other]));
+    if let Some(joined) = break_off(context, rule, [Some(i), other]) {
+        return Ok(joined);
     }
     match (other, partner.as_plane()) {
         (Some(k), _) => touch_grain(context, rule, if i < k { [i, k] } else { [k, i] }),
         (None, Some(p)) => touch_plane(context, rule, (i, p)),
         (None, None) => Ok(EventOutcome::Unchanged),
     }
+}
+
+/// If one of these is in a contact of its own that is broken off, and all are clustered from now on.
+#[inline(always)]
+pub(super) fn break_off<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    grains: [Option<usize>; 2],
+) -> Option<EventOutcome<S>> {
+    let partners = grains.map(|x| broken_off(context, rule, x));
+    partners.iter().any(Option::is_some).then(|| {
+        make_room(context, rule, (grains, partners));
+        join(context, grains)
+    })
 }
 
 /// The contact of its own that a grain is in is broken off; returns with whom it was.
@@ -71,7 +84,7 @@ fn make_room<S: Scalar, const D: usize>(
 }
 
 /// These are clustered from now on.
-fn join<S: Scalar, const D: usize>(
+pub(super) fn join<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     grains: [Option<usize>; 2],
 ) -> EventOutcome<S> {
@@ -98,8 +111,8 @@ fn touch_grain<S: Scalar, const D: usize>(
     let [i, k] = who;
     let pair = context.both_present(who);
     let [a, b] = &pair;
-    let separation = context.domain.separation(a, b);
-    let frame = ImpactFrame::new(separation, a.velocity - b.velocity);
+    let [separation, velocity] = context.domain.relative(a, b, context.now());
+    let frame = ImpactFrame::new(separation, velocity);
     let settled = [a, b].into_iter().any(is_settled);
     let Some(frame) = frame.filter(|frame| frame.radial < S::zero()) else {
         if settled {
@@ -113,7 +126,19 @@ fn touch_grain<S: Scalar, const D: usize>(
     let lasts = rule.force(&impact, S::zero()).is_some();
     let radius = a.radius.min(b.radius);
     let crowd = move |context: &mut Context<'_, '_, S, D>| Ok(join(context, who.map(Some)));
-    if if lasts { settled } else { is_held(context, [a, b], (-frame.radial, radius)) } {
+    // What a law of one's own does in a contact that lasts is in no table.
+    let shared = settled || rule.remembers();
+    if if lasts { shared } else { is_held(context, [a, b], (-frame.radial, radius)) } {
+        return crowd(context);
+    }
+    let surfaces = match lasts {
+        true => Surfaces::new(context, rule, ((i, a), Some((k, b))), || (frame.e_r(), impact)),
+        false => Surfaces::Smooth,
+    };
+    if let Surfaces::Rough(friction) = &surfaces {
+        return touch_rough(context, rule, who, (&pair, friction));
+    }
+    if let Surfaces::Unknown = surfaces {
         return crowd(context);
     }
     let response = ask(rule, &impact, context.effects, (i, Partner::grain(k)))?;
@@ -138,14 +163,42 @@ fn touch_grain<S: Scalar, const D: usize>(
             let change = frame.along(away);
             kick(context, (i, a, radius), change * (b.mass / mass));
             kick(context, (k, b, radius), -change * (a.mass / mass));
+            surface_collision::act(context, rule, || frame.touch(who, restitution));
             Ok(EventOutcome::Collision { restitution })
         }
         Response::Refused { .. } | Response::Overflow(_) => Ok(EventOutcome::Unchanged),
     }
 }
 
+/// Two rough grains whose contact is their own affair.
+fn touch_rough<S: Scalar, const D: usize>(
+    context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
+    who: [usize; 2],
+    (pair, friction): (&[Body<S, D>; 2], &Friction<S, D>),
+) -> Result<EventOutcome<S>, Error> {
+    let pair = friction.begin(pair);
+    let [a, b] = &pair;
+    let [separation, velocity] = context.domain.relative(a, b, context.now());
+    let Some(frame) = ImpactFrame::new(separation, velocity) else {
+        return Ok(join(context, who.map(Some)));
+    };
+    let impact = frame.impact(a, b);
+    let response = ask(rule, &impact, context.effects, (who[0], Partner::grain(who[1])))?;
+    match response {
+        Response::Lasting(outcome) if !disturbed(context, who, &pair, &outcome) => {
+            contact_begin::bind(context, who, &pair, (&frame, &outcome));
+            friction.end(context, who, (&frame, &outcome), impact.contact_distance);
+            begins_now(context, who);
+            context.count(Incident::Collision);
+            Ok(EventOutcome::ContactBegan(outcome))
+        }
+        _ => Ok(join(context, who.map(Some))),
+    }
+}
+
 /// Whether a body is clustered or asleep.
-fn is_settled<S: Scalar, const D: usize>(body: &Body<S, D>) -> bool {
+pub(super) fn is_settled<S: Scalar, const D: usize>(body: &Body<S, D>) -> bool {
     body.is_clustered() || body.is_asleep()
 }
 
@@ -160,7 +213,7 @@ fn without_force<S: Scalar>(response: Response<S>, settled: bool) -> Response<S>
 
 /// Whether a collision without duration belongs to a contact that lasts: it is slow, and so soon after the
 /// last one of either that gravity, not the collisions, decides; or there have been many in a row.
-fn is_held<'a, S: Scalar, const D: usize>(
+pub(super) fn is_held<'a, S: Scalar, const D: usize>(
     context: &Context<'_, '_, S, D>,
     bodies: impl IntoIterator<Item = &'a Body<S, D>>,
     (speed, radius): (S, S),
@@ -196,14 +249,15 @@ fn disturbed<S: Scalar, const D: usize>(
     [a, b]: &[Body<S, D>; 2],
     outcome: &Outcome<S>,
 ) -> bool {
-    let (mass, relative) = (a.mass + b.mass, a.velocity - b.velocity);
-    let centre = b.velocity + relative * (a.mass / mass);
+    let mass = a.mass + b.mass;
+    let [_, relative] = context.domain.relative(a, b, context.now());
+    let centres = contact_begin::centre_velocities(context.domain, [a, b]);
     let speed = norm(&relative);
     let parties = [
-        Party { grain: i, body: a, speed: speed * (b.mass / mass) },
-        Party { grain: k, body: b, speed: speed * (a.mass / mass) },
+        Party { grain: i, body: a, velocity: centres[0], speed: speed * (b.mass / mass) },
+        Party { grain: k, body: b, velocity: centres[1], speed: speed * (a.mass / mass) },
     ];
-    let course = Course { with: Partner::NOTHING, velocity: centre, duration: outcome.duration };
+    let course = Course { with: Partner::NOTHING, duration: outcome.duration };
     is_crowded(context.particles, context.domain, context.now(), &parties, &course)
 }
 
@@ -257,7 +311,15 @@ fn touch_plane<S: Scalar, const D: usize>(
     let restitution = plane.surface.restitution();
     let lasts = restitution.is_none() && rule.force(&impact, S::zero()).is_some();
     let held = !lasts && is_held(context, [&body], (speed, body.radius));
-    if held || lasts && is_settled(&body) {
+    let shared = is_settled(&body) || rule.remembers();
+    if held || lasts && shared {
+        return Ok(join(context, [Some(i), None]));
+    }
+    let surfaces = match lasts {
+        true => Surfaces::new(context, rule, ((i, &body), None), || (plane.normal, impact)),
+        false => Surfaces::Smooth,
+    };
+    if let Surfaces::Unknown = surfaces {
         return Ok(join(context, [Some(i), None]));
     }
     let response = match restitution {
@@ -271,8 +333,16 @@ fn touch_plane<S: Scalar, const D: usize>(
                 return Ok(join(context, [Some(i), None]));
             }
             context.count(Incident::PlaneCollision);
+            let rough = match &surfaces {
+                Surfaces::Rough(friction) => Some(friction),
+                _ => None,
+            };
+            let body = rough.map_or(body, |friction| friction.begin_with_plane(&body));
             let began =
                 contact_begin::begin_with_plane(context, (i, p), &body, plane, (speed, &outcome));
+            if let Some(friction) = rough {
+                friction.end_with_plane(context, i, &plane.normal);
+            }
             begins_now(context, [i]);
             Ok(began)
         }
@@ -282,6 +352,9 @@ fn touch_plane<S: Scalar, const D: usize>(
             let least = min_parting_speed(&body.velocity);
             let away = (speed * restitution).max(least) + speed;
             kick(context, (i, &body, body.radius), plane.normal * away);
+            surface_collision::act(context, rule, || {
+                plane_collision::touch((i, Partner::plane(p)), plane, speed, restitution)
+            });
             Ok(EventOutcome::Collision { restitution })
         }
         Response::Refused { .. } | Response::Overflow(_) => Ok(EventOutcome::Unchanged),
@@ -297,7 +370,7 @@ fn is_disturbed_at<S: Scalar, const D: usize>(
 ) -> bool {
     let along = dot(&plane.normal, &body.velocity);
     let velocity = body.velocity - plane.normal * along;
-    let course = Course { with: Partner::plane(p), velocity, duration: outcome.duration };
-    let party = Party { grain: i, body, speed };
+    let course = Course { with: Partner::plane(p), duration: outcome.duration };
+    let party = Party { grain: i, body, velocity, speed };
     is_crowded(context.particles, context.domain, context.now(), &[party], &course)
 }

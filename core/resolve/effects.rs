@@ -36,6 +36,9 @@ pub enum EventOutcome<S> {
     },
     /// A grain crossed into another cell; its trajectory is the same.
     CellCrossed,
+    /// A grain left a sheared box and came in at the other side: its position is displaced and its velocity changed by those
+    /// of the image through whose face it went.
+    ShearCrossed,
     /// Nothing: a prediction was renewed, or a grain is still supported, or two part already.
     Unchanged,
 }
@@ -78,6 +81,8 @@ pub(crate) enum Incident {
 pub(crate) struct Effects {
     /// The grains whose events must be predicted anew. No event concerns more than four.
     pub void: heapless::Vec<usize, 4>,
+    /// Which of these, a bit for each, begin a contact until whose end nobody else can touch them.
+    pub alone: u8,
     /// They were at rest until now: those that lie on them must look again.
     pub woken: heapless::Vec<usize, 4>,
     /// What is worth counting. The longest list, of a grain laid down by two others, has six entries.
@@ -90,6 +95,12 @@ impl Effects {
         if !self.void.contains(&grain) {
             let _ = self.void.push(grain);
         }
+    }
+
+    /// Until its contact ends nobody else can touch this grain, whose events must be predicted anew.
+    pub fn stands_alone(&mut self, grain: usize) {
+        let place = self.void.iter().position(|&void| void == grain);
+        self.alone |= place.map_or(0, |place| 1 << place);
     }
 
     /// This grain was at rest until now.

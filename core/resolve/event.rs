@@ -2,7 +2,10 @@
 
 use super::context::Context;
 use super::effects::EventOutcome;
-use super::{contact_end, crowded_collision, grain_collision, plane_collision, wake};
+use super::{
+    contact_end, crowded_collision, grain_collision, obstacle_collision, plane_collision,
+    shear_crossing, wake,
+};
 use crate::detect::{EventKind, ScheduledEvent};
 use crate::error::Error;
 use crate::law::Rule;
@@ -26,6 +29,7 @@ pub(crate) fn resolve<S: Scalar, const D: usize>(
         EventKind::TakeOff => Ok(wake::take_off(context, grain)),
         EventKind::SupportCheck => Ok(wake::check_support(context, grain)),
         EventKind::CellCrossing => Ok(cross(context, grain, event.face)),
+        EventKind::ShearCrossing => Ok(shear_crossing::cross(context, grain)),
         EventKind::Recheck if event.is_pause() => Ok(go_on(context, grain)),
         EventKind::BoundarySentinel | EventKind::Recheck | EventKind::Step | EventKind::Nothing => {
             Ok(EventOutcome::Unchanged)
@@ -44,6 +48,9 @@ fn touch<S: Scalar, const D: usize>(
     context.effects.predict_anew(i);
     other.into_iter().for_each(|k| context.effects.predict_anew(k));
     if context.parameters.settings.is_integrated(rule) {
+        if let Some(facet) = obstacle_collision::touched(context, partner) {
+            return obstacle_collision::touch(context, rule, (i, facet));
+        }
         return crowded_collision::touch(context, rule, (i, partner));
     }
     if contact_end::interrupt(context, [Some(i), other]) {

@@ -4,7 +4,7 @@ use super::accept_answer::ask;
 use super::context::Context;
 use super::effects::{EventOutcome, Incident};
 use super::impact_frame::ImpactFrame;
-use super::{contact_begin, instantaneous_collision, rest, supported_collision};
+use super::{contact_begin, instantaneous_collision, rest, supported_collision, surface_collision};
 use crate::error::Error;
 use crate::law::{Response, Rule};
 use crate::particle::{Body, Partner};
@@ -19,10 +19,10 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     // In the order of their numbers: it must not matter whose event it is, not in the last bit either.
     let [i, k] = if who[0] < who[1] { who } else { [who[1], who[0]] };
     let [a, b] = [context.present(i), context.present(k)];
-    let separation = context.domain.separation(&a, &b);
-    let Some(frame) = ImpactFrame::new(separation, a.velocity - b.velocity) else {
+    let [separation, velocity] = context.domain.relative(&a, &b, context.now());
+    let Some(frame) = ImpactFrame::new(separation, velocity) else {
         let gap = -(a.radius + b.radius).to_f64();
-        return Err(Error::Overlap { grain: i, with: Partner::grain(k), gap });
+        return Err(Error::Overlap { grain: i, with: Partner::grain(k), gap, also: None });
     };
     if !(frame.radial < S::zero()) {
         // Deferred until a contact could be ended, or grazing within rounding: they part already, and are
@@ -33,7 +33,11 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     }
     let impact = frame.impact(&a, &b);
     let response = ask(rule, &impact, context.effects, (i, Partner::grain(k)))?;
-    respond(context, [i, k], &[a, b], (&frame, response))
+    let outcome = respond(context, [i, k], &[a, b], (&frame, response))?;
+    if let EventOutcome::Collision { restitution } = outcome {
+        surface_collision::act(context, rule, || frame.touch([i, k], restitution));
+    }
+    Ok(outcome)
 }
 
 // One caller: as a function of its own it would copy both bodies.

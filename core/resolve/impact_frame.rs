@@ -1,8 +1,9 @@
 //! How do two grains move as they touch, and where does a contact leave them? Reads separation, velocity and outcome; writes those after it.
 
+use super::surface_collision::Touch;
 use crate::law::{Impact, Outcome};
-use crate::particle::Body;
-use crate::scalar::{Scalar, Vector, norm};
+use crate::particle::{Body, Partner};
+use crate::scalar::{Scalar, Vector, dot, norm};
 
 /// Two bodies as they touch: the relative coordinates of MP13, Eq. (5), seen from the second.
 pub(crate) struct ImpactFrame<S: Scalar, const D: usize> {
@@ -54,6 +55,19 @@ impl<S: Scalar, const D: usize> ImpactFrame<S, D> {
             acceleration: S::zero(),
             materials: [a.material, b.material],
         }
+    }
+
+    /// How the surfaces of these two touch, in a collision without duration.
+    pub fn touch(&self, [grain, other]: [usize; 2], restitution: S) -> Touch<S, D> {
+        let change = self.radial * -(S::one() + restitution);
+        Touch { grain, with: Partner::grain(other), normal: self.e_r(), change }
+    }
+
+    /// A vector across the line of centres after that has turned by an angle.
+    pub fn turned(&self, across: &Vector<S, D>, angle: S) -> Vector<S, D> {
+        let ((sin, cos), e_t) = (angle.sin_cos(), self.e_t());
+        let along = dot(across, &e_t);
+        *across - e_t * along + (e_t * cos - self.e_r() * sin) * along
     }
 
     /// The vector of this magnitude from the second body to the first.

@@ -41,8 +41,8 @@ fn part<S: Scalar, const D: usize>(
 ) {
     let Some(pair) = together(context, who) else { return };
     let [a, b] = &pair;
-    let separation = context.domain.separation(a, b);
-    let Some(frame) = ImpactFrame::new(separation, a.velocity - b.velocity) else { return };
+    let [separation, velocity] = context.domain.relative(a, b, a.clock);
+    let Some(frame) = ImpactFrame::new(separation, velocity) else { return };
     let impact = frame.impact(a, b);
     let overlap = impact.contact_distance - frame.distance;
     if !(overlap > S::zero()) {

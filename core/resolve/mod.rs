@@ -14,12 +14,16 @@ mod gravity_change;
 mod impact_frame;
 mod instantaneous_collision;
 mod make_room;
+mod obstacle_collision;
 mod parameters;
 mod plane_collision;
 mod rest;
+mod shear_crossing;
 mod simultaneous_collision;
 mod support;
 mod supported_collision;
+mod surface_collision;
+mod surface_contact;
 mod wake;
 
 pub(crate) use broken_contact::cluster as cluster_contact;

@@ -3,7 +3,8 @@
 use super::accept_answer::ask;
 use super::context::Context;
 use super::effects::{EventOutcome, Incident};
-use super::{contact_begin, instantaneous_collision, rest};
+use super::surface_collision::Touch;
+use super::{contact_begin, instantaneous_collision, rest, surface_collision};
 use crate::error::Error;
 use crate::law::{Impact, Response, Rule};
 use crate::particle::{Body, Partner};
@@ -36,7 +37,24 @@ pub(super) fn collide<S: Scalar, const D: usize>(
         }
     };
     context.count(Incident::PlaneCollision);
-    respond(context, (i, p), (&body, plane), (speed, response))
+    let outcome = respond(context, (i, p), (&body, plane), (speed, response))?;
+    if let EventOutcome::Collision { restitution } = outcome {
+        let who = (i, Partner::plane(p));
+        surface_collision::act(context, rule, || touch(who, plane, speed, restitution));
+    }
+    Ok(outcome)
+}
+
+/// How the surfaces of a grain and a plane touch, in a collision without duration; or of a grain and a facet, whose plane
+/// it is.
+pub(super) fn touch<S: Scalar, const D: usize>(
+    (grain, with): (usize, Partner),
+    plane: &Plane<S, D>,
+    speed: S,
+    restitution: S,
+) -> Touch<S, D> {
+    let change = speed * (S::one() + restitution);
+    Touch { grain, with, normal: plane.normal, change }
 }
 
 fn respond<S: Scalar, const D: usize>(

@@ -97,6 +97,12 @@ impl<S: Scalar, const D: usize> Crowd<S, D> {
         for plane in context.domain.boundary.planes() {
             fits = fits && self.add_plane(context, rule, (place, &body), plane);
         }
+        if let Some(obstacles) = context.domain.boundary.obstacles() {
+            let reach = body.radius + slack(&body);
+            obstacles.for_each_touched((&body.position, context.now()), reach, |_, plane, _| {
+                fits = fits && self.add_plane(context, rule, (place, &body), plane);
+            });
+        }
         fits.then_some(())
     }
 
@@ -115,10 +121,10 @@ impl<S: Scalar, const D: usize> Crowd<S, D> {
         k: usize,
     ) -> bool {
         let (other, known) = self.before(context, k);
-        let apart = context.domain.separation(body, &other);
+        let [apart, velocity] = context.domain.relative(body, &other, context.now());
         let reach = body.radius + other.radius + slack(body).max(slack(&other));
         let is_new = known.is_none_or(|known| known > place);
-        let nears = ImpactFrame::new(apart, body.velocity - other.velocity)
+        let nears = ImpactFrame::new(apart, velocity)
             .is_some_and(|frame| frame.radial < -least(body, &other));
         is_new && nears && S::dot(&apart, &apart) <= reach.times(reach)
     }
@@ -131,8 +137,8 @@ impl<S: Scalar, const D: usize> Crowd<S, D> {
         k: usize,
     ) -> Option<()> {
         let (other, known) = self.before(context, k);
-        let apart = context.domain.separation(body, &other);
-        let frame = ImpactFrame::new(apart, body.velocity - other.velocity)?;
+        let [apart, velocity] = context.domain.relative(body, &other, context.now());
+        let frame = ImpactFrame::new(apart, velocity)?;
         let impact = frame.impact(body, &other);
         let wanted = change_of(instantaneous(rule, &impact)?, -frame.radial, least(body, &other));
         let partner = known.or_else(|| self.add(k, other))?;

@@ -117,7 +117,7 @@ fn supports<S: Scalar, const D: usize>(
             return;
         }
         let other = context.present(k);
-        let apart = context.domain.separation(body, &other);
+        let apart = context.domain.separation(body, &other, context.now());
         let distance = norm(&apart);
         if distance <= body.radius + other.radius + near && distance > S::zero() {
             let _ = supports.push(apart / distance);
@@ -150,7 +150,7 @@ pub(crate) fn lies_on<S: Scalar, const D: usize>(
         return false;
     }
     let [a, b] = [i, k].map(|grain| particles.present(grain, domain, now));
-    let apart = domain.separation(&a, &b);
+    let apart = domain.separation(&a, &b, now);
     let near = |body| contact_tolerance(domain, parameters, body);
     norm(&apart) <= a.radius + b.radius + near(&a).max(near(&b)) * S::from_f32(2.0)
 }

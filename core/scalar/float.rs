@@ -3,8 +3,8 @@
 use super::instant::{Instant, TimeSpan};
 use super::lanes::Each;
 use super::traits::{
-    Comparison, Elementary, Products, Range, Rounding, Scalar, Timekeeping, Vector, WideProduct,
-    sealed::Sealed,
+    Comparison, Elementary, Power, Products, Range, Rounding, Scalar, Timekeeping, Vector,
+    WideProduct, sealed::Sealed,
 };
 use super::trigonometry;
 use carom_tables::read::Real;
@@ -216,6 +216,18 @@ type Doubles = wide::f64x2;
 type Doubles = Each<f64>;
 
 float!(f64, Doubles, u64, libm::sincos, libm::floor, libm::frexp, libm::ldexp, 52, 64);
+
+impl Power for f32 {
+    fn power(self, exponent: Self) -> Self {
+        libm::powf(self.max(0.0), exponent)
+    }
+}
+
+impl Power for f64 {
+    fn power(self, exponent: Self) -> Self {
+        libm::pow(self.max(0.0), exponent)
+    }
+}
 
 #[cfg(test)]
 mod tests {

@@ -6,6 +6,7 @@
 
 #[cfg(feature = "micromath")]
 pub mod approximate;
+mod axial;
 mod clock;
 #[cfg(feature = "fixed")]
 mod fixed;
@@ -17,6 +18,7 @@ mod traits;
 mod trigonometry;
 mod vector;
 
+pub(crate) use axial::{Axial, axes, moment, sliding, swept};
 #[cfg(feature = "fixed")]
 pub use carom_tables::fixed_point::{I16F16, I32F32};
 pub use carom_tables::read::Real;
@@ -26,7 +28,8 @@ pub use into_instant::IntoInstant;
 #[cfg(feature = "alloc")]
 pub(crate) use lanes::{LANES, Lanes};
 pub use traits::{
-    Comparison, Elementary, Products, Range, Rounding, Scalar, Timekeeping, Vector, WideProduct,
+    Comparison, Elementary, Power, Products, Range, Rounding, Scalar, Timekeeping, Vector,
+    WideProduct,
 };
-pub(crate) use vector::{all_finite, component, max_abs, reject, vector};
+pub(crate) use vector::{all_finite, component, max_abs, reject, unit, vector};
 pub use vector::{dot, norm};

@@ -222,3 +222,10 @@ pub trait Scalar:
         Self::from_f32(0.5)
     }
 }
+
+/// Numbers that can be raised to any power: `f32` and `f64`, by software, the same bits everywhere.
+pub trait Power: Scalar {
+    /// The number, at least 0, to this power.
+    #[must_use]
+    fn power(self, exponent: Self) -> Self;
+}

@@ -46,6 +46,12 @@ pub fn norm<S: Scalar, const D: usize>(v: &Vector<S, D>) -> S {
     S::dot(v, v).sqrt()
 }
 
+/// The direction of a vector; zero if it has none.
+pub fn unit<S: Scalar, const D: usize>(v: &Vector<S, D>) -> Vector<S, D> {
+    let length = norm(v);
+    if length > S::zero() && length.is_finite() { *v / length } else { Vector::zeros() }
+}
+
 /// The magnitude of the largest component.
 pub fn max_abs<S: Scalar, const D: usize>(v: &Vector<S, D>) -> S {
     v.iter().fold(S::zero(), |most, x| most.max(x.abs()))

@@ -1,6 +1,7 @@
 //! Who is near whom? Linked lists of grains in the cells of a grid, in borrowed memory; reads cells, writes lists.
 
 use super::grid::{CellFace, Grid};
+use super::if_sheared::IfSheared;
 #[cfg(feature = "alloc")]
 use super::levels::Levels;
 use super::link::{END, Link, MORE};
@@ -12,6 +13,7 @@ use super::neighbour_lists::NeighbourBatch;
 use super::neighbours::{BATCH, NeighbourBatch, put};
 #[cfg(not(feature = "alloc"))]
 use super::one_level::Levels;
+use super::shear::Shear;
 use crate::particle::{Body, Index};
 use crate::scalar::Scalar;
 #[cfg(feature = "alloc")]
@@ -22,18 +24,33 @@ pub(crate) struct Cells<'m, S: Scalar, const D: usize> {
     /// None: all pairs are neighbours.
     pub grid: Option<Grid<S, D>>,
     pub levels: Levels<D>,
+    /// Whether images move, and along which axes.
+    pub(super) sheared: IfSheared<Shear<S>>,
     pub(super) heads: &'m mut [Index],
     pub(super) links: &'m mut [Link],
+    /// Whether there have been empty places: without, all grains are visited without a look at their links.
+    #[cfg(feature = "alloc")]
+    pub(super) has_empty: bool,
 }
 
 impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     /// Empty lists; `links` has one entry for each grain.
     pub fn new(
         (grid, levels): (Option<Grid<S, D>>, Levels<D>),
+        sheared: Option<Shear<S>>,
         heads: &'m mut [Index],
         links: &'m mut [Link],
     ) -> Self {
-        let mut cells = Self { grid: None, levels, heads, links };
+        let sheared = IfSheared::new(sheared);
+        let mut cells = Self {
+            grid: None,
+            levels,
+            sheared,
+            heads,
+            links,
+            #[cfg(feature = "alloc")]
+            has_empty: false,
+        };
         cells.reset(grid);
         cells
     }
@@ -44,6 +61,10 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         self.links.fill(Link::default());
         let fits = grid.as_ref().is_none_or(|g| g.is_valid() && g.cells() <= self.heads.len());
         self.grid = grid.filter(|_| fits);
+        #[cfg(feature = "alloc")]
+        {
+            self.has_empty = false;
+        }
         #[cfg(not(feature = "alloc"))]
         self.chain();
         fits
@@ -102,6 +123,10 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
         if let Some(link) = self.links.get_mut(grain) {
             *link = Link { next: Index::new(END), previous: Index::new(grain as u32) };
         }
+        #[cfg(feature = "alloc")]
+        {
+            self.has_empty = true;
+        }
         #[cfg(not(feature = "alloc"))]
         self.chain();
     }
@@ -118,9 +143,11 @@ impl<'m, S: Scalar, const D: usize> Cells<'m, S, D> {
     /// Visits all grains that one of this radius in this cell can see; all grains, if there is no grid.
     #[cfg(feature = "alloc")]
     pub fn for_each_near(&self, cell: u32, radius: S, mut visit: impl FnMut(usize)) {
-        self.batches((&self.coordinates(cell), radius), END, &mut |batch: &NeighbourBatch| {
+        let at = &self.coordinates(cell);
+        self.batches((at, radius), END, &mut |batch: &NeighbourBatch| {
             batch.for_each(|grain| visit(grain as usize));
         });
+        self.and_across(at, &mut visit);
     }
 
     /// Visits all grains that one of this radius touches or overlaps if it is put here, and others; all, if there is

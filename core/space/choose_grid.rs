@@ -15,7 +15,11 @@ pub(super) type Width = f64;
 pub(super) type Width = f32;
 
 /// The width of a cell, if grains are far from each other, in units of the space a grain has: measured.
+#[cfg(feature = "alloc")]
 const CELL_WIDTH: Width = 0.8;
+/// On small machines it is a matter of how much memory is lent for lists.
+#[cfg(not(feature = "alloc"))]
+const CELL_WIDTH: Width = 0.5;
 
 /// Cells are wider by this than grains can see: a grain that rounding puts beside its cell is seen, too.
 pub(super) const SLACK: Width = 1.001;
@@ -94,11 +98,12 @@ pub(super) fn with_width<S: Scalar, const D: usize>(
     for _ in 0..500 {
         let along = |axis| {
             let side = sides.get(axis).copied().unwrap_or_default();
-            along(side, boundary.periodic(axis).map(|p| p.length), width)
+            along(side, boundary.at_rest(axis).map(|p| p.length), width)
         };
         let axes: [GridAxis<S>; D] = core::array::from_fn(along);
         let cells: Width = axes.iter().map(|along| number(along.count)).product();
-        if axes.iter().any(|along| along.periodic && along.count < 4) {
+        let is_round = |axis: usize| boundary.periodic(axis).is_some();
+        if axes.iter().enumerate().any(|(axis, along)| is_round(axis) && along.count < 4) {
             return None;
         }
         if cells <= most.min(NOWHERE as usize) as Width {

@@ -37,6 +37,10 @@ fn levels<S: Scalar, const D: usize>(
     (sight, largest): (Sight, f64),
     most: usize,
 ) -> Option<(Grid<S, D>, Levels<D>)> {
+    if boundary.images().is_some() {
+        // Those across a sheared face are found row by row of the grid's own cells.
+        return None;
+    }
     let sides = sides(boundary, bodies);
     let dense = dense_width(&sides, bodies.len());
     let reach = |radius: f64| SLACK * sight.of_equal(radius);

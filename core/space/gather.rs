@@ -2,7 +2,7 @@
 
 use super::cells::Cells;
 use super::grid::{CellBlock, NOWHERE, Steps};
-use super::link::END;
+use super::link::{END, Link};
 use super::neighbours::{BATCH, NeighbourBatch, put};
 use crate::scalar::Scalar;
 
@@ -71,16 +71,32 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
 
     /// Visits all grains.
     pub(super) fn everyone(&self, filler: u32, visit: &mut dyn FnMut(&NeighbourBatch)) {
-        let mut grain = 0;
+        let mut first = 0;
         for some in self.links.chunks(BATCH) {
             let mut batch = NeighbourBatch::new(filler, false);
-            for link in some {
-                // In an empty place a link names itself.
-                put(&mut batch.grains, batch.count, grain);
-                batch.count += usize::from(link.is_of(grain));
-                grain += 1;
+            match self.has_empty {
+                true => batch.put_those_there(first, some),
+                false => batch.put_row(first, some.len()),
             }
+            first += BATCH as u32;
             batch.flush(filler, visit);
         }
+    }
+}
+
+impl NeighbourBatch {
+    /// Takes these places in, from the first on, but not the empty ones.
+    fn put_those_there(&mut self, first: u32, links: &[Link]) {
+        for (grain, link) in (first..).zip(links) {
+            put(&mut self.grains, self.count, grain);
+            self.count += usize::from(link.is_of(grain));
+        }
+    }
+
+    /// Takes so many places in, from the first on.
+    #[inline(always)]
+    fn put_row(&mut self, first: u32, count: usize) {
+        (0..).zip(&mut self.grains).for_each(|(step, place)| *place = first + step);
+        self.count = count;
     }
 }

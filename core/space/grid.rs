@@ -5,7 +5,6 @@
 //! right for grains anywhere. A periodic axis needs four cells, so that the nearest image of a
 //! neighbour is the one that can touch; where there are fewer, all pairs are neighbours.
 
-use super::boundary::Boundary;
 use crate::scalar::{Scalar, Vector};
 
 /// For more axes there are no grids.
@@ -76,30 +75,18 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         axes
     }
 
+    /// Where the cells begin and end.
+    pub(super) fn extent(&self) -> [Vector<S, D>; 2] {
+        let low = |axis: usize| self.axes().get(axis).map_or(S::zero(), |along| along.low);
+        let long = |along: &GridAxis<S>| along.width * S::from_count(along.count);
+        let high = |axis: usize| low(axis) + self.axes().get(axis).map_or(S::zero(), long);
+        [Vector::from_fn(|axis, _| low(axis)), Vector::from_fn(|axis, _| high(axis))]
+    }
+
     /// Whether every axis can be counted with: a grid may have been read from a file.
     pub(super) fn is_valid(&self) -> bool {
         let valid = |l: &GridAxis<S>| l.count > 0 && l.count <= 1 << 20 && l.width > S::zero();
         self.axes.as_slice().iter().all(valid) && self.cells() <= NOWHERE as usize
-    }
-
-    /// Whether it is a grid for this box and grains of this diameter, zero if there is none.
-    pub(crate) fn fits(&self, boundary: &Boundary<S, D>, reach: S) -> bool {
-        self.axes.as_slice().iter().enumerate().all(|(axis, along)| {
-            let length = along.width * S::from_count(along.count);
-            let same = match boundary.periodic(axis) {
-                Some(p) => {
-                    let off = (length - p.length).abs();
-                    along.periodic
-                        && along.length == p.length
-                        && along.low == p.low
-                        && along.count >= 4
-                        && (off < reach * S::from_f32(1e-3) || reach == S::zero())
-                }
-                None => !along.periodic && along.length == S::zero(),
-            };
-            // The only cell of an open axis reaches to infinity, however wide it is.
-            same && along.low.is_finite() && (along.width >= reach || along.count == 1)
-        })
     }
 
     /// Whether a position lies in a cell, or so near that only rounding can tell.
@@ -186,7 +173,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     }
 
     /// The number of the cell with these coordinates.
-    fn number(&self, at: &[u32; D]) -> u32 {
+    pub(super) fn number(&self, at: &[u32; D]) -> u32 {
         let (mut number, mut scale) = (0, 1);
         for (&c, along) in at.iter().zip(self.axes.as_slice()) {
             number += c * scale;

@@ -2,11 +2,15 @@
 
 use super::boundary::Boundary;
 use super::cells::Cells;
+use super::contacts::Contacts;
 use super::domain::Domain;
 use super::flight;
 use super::grid::{CellFace, Grid};
+use super::rotation::RotationBuffers;
 use crate::error::{Error, Subject};
 use crate::particle::{Body, Partner};
+#[cfg(not(feature = "alloc"))]
+use crate::scalar::max_abs;
 use crate::scalar::{Scalar, Vector};
 
 /// All bodies, and who is near whom.
@@ -19,6 +23,13 @@ pub(crate) struct Particles<'m, S: Scalar, const D: usize> {
     pub largest_radius: S,
     /// How many bodies something holds against gravity.
     pub supported: usize,
+    /// No component of a velocity is larger, each at its body's own clock; without a bound at the start.
+    #[cfg(not(feature = "alloc"))]
+    pub top_speed: S,
+    /// How they rotate; empty for smooth grains.
+    pub rotation: RotationBuffers<'m, S>,
+    /// What contacts remember that last; empty where none does.
+    pub contacts: Contacts<'m, S>,
 }
 
 impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
@@ -29,7 +40,18 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
         cells: Cells<'m, S, D>,
     ) -> Self {
         let largest_radius = largest_radius(bodies);
-        let mut all = Self { bodies, accelerations, cells, largest_radius, supported: 0 };
+        let (rotation, contacts) = (RotationBuffers::default(), Contacts(&mut []));
+        let mut all = Self {
+            bodies,
+            accelerations,
+            cells,
+            largest_radius,
+            supported: 0,
+            #[cfg(not(feature = "alloc"))]
+            top_speed: S::NEVER,
+            rotation,
+            contacts,
+        };
         all.fill_cells();
         all
     }
@@ -74,11 +96,48 @@ impl<'m, S: Scalar, const D: usize> Particles<'m, S, D> {
             change(body);
             self.supported += usize::from(body.is_supported());
             body.event_count = body.event_count.wrapping_add(1);
+            #[cfg(not(feature = "alloc"))]
+            {
+                self.top_speed = self.top_speed.max(max_abs(&body.velocity));
+            }
         }
     }
 
-    /// Writes a body that was put somewhere else: inside the box and in its new cell, too.
-    pub fn relocate(&mut self, boundary: &Boundary<'_, S, D>, grain: usize, mut body: Body<S, D>) {
+    /// How far another can come, at most, nearer to a grain that has this velocity now within a span; more than that until
+    /// clocks have been set back once.
+    #[cfg(not(feature = "alloc"))]
+    pub fn way_of_others(
+        &self,
+        domain: &Domain<'_, S, D>,
+        (now, span): (S, S),
+        velocity: &Vector<S, D>,
+    ) -> S {
+        // Since clocks were set back gravity has acted for no longer than now.
+        let fall = max_abs(domain.gravity()) * (now + span);
+        (self.top_speed + max_abs(velocity) + fall + fall) * S::from_count(D as u32) * span
+    }
+
+    /// Writes a body that was put somewhere else at a time: inside the box and in its new cell, too.
+    pub fn relocate(
+        &mut self,
+        boundary: &Boundary<'_, S, D>,
+        (grain, time): (usize, S),
+        mut body: Body<S, D>,
+    ) {
+        if boundary.images().is_some() {
+            [body.position, body.velocity] =
+                boundary.image_inside([body.position, body.velocity], time);
+        }
+        self.put_inside(boundary, grain, body);
+    }
+
+    /// The same for one that is inside the box along the gradient of a shear.
+    pub fn put_inside(
+        &mut self,
+        boundary: &Boundary<'_, S, D>,
+        grain: usize,
+        mut body: Body<S, D>,
+    ) {
         body.position = boundary.wrap(body.position);
         let cell = self.cells.grid.as_ref().map(|grid| grid.locate(&body.position));
         if let Some(cell) = cell.filter(|cell| *cell != body.cell) {
@@ -201,7 +260,8 @@ impl<S: Scalar, const D: usize> Particles<'_, S, D> {
             return false;
         }
         let radius = self.cells.levels.finest(self.largest_radius);
-        grid.fits(&domain.boundary, radius + radius)
+        let has_rows = domain.boundary.images().is_none() || self.cells.levels.len() == 1;
+        has_rows && grid.fits(&domain.boundary, radius + radius)
     }
 }
 

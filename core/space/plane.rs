@@ -1,6 +1,10 @@
 //! What is a wall, and where is it now? Planes at rest and vibrating plates; reads a time, writes nothing.
 
-use super::plane_motion::{Drift, PlaneMotion, Vibration};
+#[cfg(not(feature = "plates"))]
+use super::no_plates::{Drift, Vibration};
+use super::plane_motion::PlaneMotion;
+#[cfg(feature = "plates")]
+use super::plates::{Drift, Vibration};
 use crate::scalar::{Instant, Scalar, Vector, dot, vector};
 
 /// What a plane does to a grain that touches it.
@@ -106,6 +110,23 @@ impl<S: Scalar, const D: usize> Plane<S, D> {
         if cfg!(feature = "plates") { self.drift } else { None }
     }
 
+    /// The same plane, where a facet that moves carries it: with this normal, at this distance from a position, its point
+    /// there moving so.
+    #[cfg_attr(not(feature = "plates"), allow(unused_variables))]
+    pub(super) fn carried(
+        self,
+        (normal, velocity): (Vector<S, D>, &Vector<S, D>),
+        (position, distance): (&Vector<S, D>, S),
+        now: S,
+    ) -> Self {
+        #[cfg(feature = "plates")]
+        let drift = Some(Drift::passing(dot(&normal, velocity), now));
+        #[cfg(not(feature = "plates"))]
+        let drift = self.drift;
+        let offset = dot(&normal, position) - distance;
+        Self { normal, offset, drift, ..self }
+    }
+
     /// Whether it moves.
     pub(crate) fn moves(&self) -> bool {
         self.vibration().is_some() || self.drift().is_some()
@@ -113,7 +134,7 @@ impl<S: Scalar, const D: usize> Plane<S, D> {
 
     /// It never moves faster than this.
     pub(crate) fn peak_speed(&self) -> S {
-        let drift = self.drift().map_or(S::zero(), |drift| drift.speed.abs());
+        let drift = self.drift().map_or(S::zero(), |drift| drift.rate().abs());
         self.vibration().map_or(drift, |vibration| vibration.peak_speed())
     }
 

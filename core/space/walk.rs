@@ -29,9 +29,11 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
     /// The same: one function for all who ask.
     #[inline(never)]
     fn all_near(&self, cell: u32, radius: S, visit: &mut dyn FnMut(usize)) {
-        self.batches((&self.coordinates(cell), radius), END, &mut |batch| {
+        let at = &self.coordinates(cell);
+        self.batches((at, radius), END, &mut |batch| {
             batch.for_each(|grain| visit(grain as usize));
         });
+        self.and_across(at, visit);
     }
 
     /// Visits all grains that one of this radius touches or overlaps if it is put here, and others; all, if there is
@@ -44,11 +46,13 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
     ) {
         let Some(grid) = &self.grid else { return self.all_near(0, radius, &mut visit) };
         // A grain may be beside its cell by rounding.
-        let reach = (radius + largest) * S::from_f32(1.0 + 1.0 / 64.0);
-        let cells = &grid.touching(&grid.coordinates(grid.locate(position)), position, reach);
+        let reach = (radius + largest) * S::from_f32(1.0 + 1.0 / 32.0);
+        let at = &grid.coordinates(grid.locate(position));
+        let cells = &grid.touching(at, position, reach);
         let (heads, links) = (&*self.heads, &*self.links);
         NeighbourBatch { cells, heads, links, same_image: false }
             .for_each(|grain| visit(grain as usize));
+        self.and_across(at, &mut visit);
     }
 
     /// Visits all grains: without a grid they are one list, as if in one cell.

@@ -3,7 +3,7 @@
 use super::state::{Progress, World};
 use super::statistics::Statistics;
 use super::storage::{Buffers, Storage};
-use super::{check_input, check_scales};
+use super::{check_facets, check_input, check_rotation, check_scales};
 use crate::cluster::{Clusters, Settings};
 use crate::detect::ScheduledEvent;
 use crate::error::{Error, Subject};
@@ -12,7 +12,8 @@ use crate::resolve::{Parameters, Release, min_hop_time};
 use crate::scalar::{Clock, Instant, Scalar, Vector};
 use crate::schedule::EventQueue;
 use crate::space::{
-    Boundary, Cells, Domain, MAX_PLANES, Particles, Plane, Surface, choose_cells, largest_radius,
+    Boundary, Cells, Contacts, Domain, MAX_PLANES, Obstacles, Particles, Plane, Shear, Surface,
+    choose_cells, largest_radius,
 };
 
 /// A builder that has no rule yet, and so cannot start.
@@ -25,6 +26,7 @@ pub struct WorldBuilder<'m, S: Scalar, const D: usize, R> {
     pub(super) count: usize,
     pub(super) boundary: Boundary<'m, S, D>,
     pub(super) gravity: Vector<S, D>,
+    pub(super) shear: Option<Shear<S>>,
     pub(super) release: Release,
     pub(super) t_c: S,
     pub(super) settings: Settings<S>,
@@ -48,6 +50,7 @@ impl<'m, S: Scalar, const D: usize> World<'m, S, D, NoRule> {
             count: 0,
             boundary,
             gravity: Vector::zeros(),
+            shear: None,
             release: Release::default(),
             t_c: S::zero(),
             settings: Settings::new(Enduring::default()),
@@ -123,6 +126,15 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
         self
     }
 
+    /// A steady shear between two periodic axes (Lees & Edwards): see [`Shear`].
+    ///
+    /// Two axes of the box must be periodic, and there is no gravity: [`WorldBuilder::start`] refuses it.
+    #[must_use]
+    pub fn sheared(mut self, shear: Shear<S>) -> Self {
+        self.shear = Some(shear);
+        self
+    }
+
     /// Uniform gravity. [`World::set_gravity`] changes it later.
     #[must_use]
     pub fn gravity(mut self, gravity: [S; D]) -> Self {
@@ -189,8 +201,21 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     /// What grains do when they touch.
     #[must_use]
     pub fn rule<Q: Rule<S>>(self, rule: Q) -> WorldBuilder<'m, S, D, Q> {
-        let Self { buffers, count, boundary, gravity, release, t_c, settings, error, .. } = self;
-        WorldBuilder { buffers, count, boundary, gravity, release, t_c, settings, rule, error }
+        let Self {
+            buffers, count, boundary, gravity, shear, release, t_c, settings, error, ..
+        } = self;
+        WorldBuilder {
+            buffers,
+            count,
+            boundary,
+            gravity,
+            shear,
+            release,
+            t_c,
+            settings,
+            rule,
+            error,
+        }
     }
 
     fn note(&mut self, checked: Result<(), Error>) {
@@ -221,8 +246,21 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         for axis in 0..D {
             boundary.periodic(axis).into_iter().for_each(|p| boundary.set_periodic(axis, p));
         }
-        let Buffers { bodies, events, tree, links, heads, accelerations, calendar, .. } =
-            self.buffers;
+        self.shear.map_or(Ok(()), |shear| boundary.set_sheared(shear))?;
+        check_input::sheared(&boundary, &self.gravity)?;
+        let Buffers {
+            bodies,
+            events,
+            tree,
+            links,
+            heads,
+            accelerations,
+            calendar,
+            rotation,
+            contacts,
+            obstacles,
+            ..
+        } = self.buffers;
         let bodies = bodies.get_mut(..self.count).unwrap_or_default();
         let events = events.get_mut(..self.count).unwrap_or_default();
         let tree = tree.get_mut(..self.count).unwrap_or_default();
@@ -230,22 +268,36 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         let clustered = if self.settings.is_integrated(&self.rule) { self.count } else { 0 };
         check_input::accelerations(clustered, accelerations.len())?;
         let accelerations = accelerations.get_mut(..clustered).unwrap_or_default();
+        let rotation = check_rotation::angular_velocities(rotation, self.rule.inertia(), bodies)?;
         let largest_radius = largest_radius(bodies);
+        if cfg!(feature = "obstacles") {
+            let enduring = self.rule.enduring().unwrap_or(self.settings.enduring);
+            check_facets::facets(&obstacles)?;
+            boundary.set_obstacles(Obstacles::new(obstacles, largest_radius)?);
+            check_facets::obstacles(&boundary, enduring)?;
+        }
         check_input::space(&boundary, &self.gravity, largest_radius)?;
         for (i, body) in bodies.iter_mut().enumerate().filter(|(_, body)| !body.is_vacant()) {
-            body.position = boundary.to_lattice(boundary.wrap_from_far(body.position));
+            let [position, velocity] =
+                boundary.image_inside([body.position, body.velocity], S::zero());
+            (body.position, body.velocity) = (boundary.to_lattice(position), velocity);
             check_input::inside(&boundary, i, body)?;
         }
         check_scales::scales(&boundary, &self.gravity, (0, bodies))?;
         events.fill(ScheduledEvent::NONE);
         let settings = self.settings.adopted(&self.rule, &boundary, &self.gravity, bodies);
+        check_rotation::mode(&self.rule, &settings, &self.gravity)?;
+        settings.try_law(&self.rule)?;
         if settings.is_integrated(&self.rule) {
             settings.check_contact_time(&self.gravity)?;
         }
         let cells = choose_cells(&boundary, bodies, settings.sight(), heads.len());
+        let cells = Cells::new(cells, boundary.shear(), heads, links);
         let min_hop_time = min_hop_time(&self.gravity, largest_radius);
+        let mut particles = Particles::new(bodies, accelerations, cells);
+        (particles.rotation, particles.contacts) = (rotation, Contacts(contacts));
         Ok(World {
-            particles: Particles::new(bodies, accelerations, Cells::new(cells, heads, links)),
+            particles,
             domain: Domain::new(boundary, self.gravity),
             clock: Clock::start(),
             parameters: Parameters {

@@ -72,7 +72,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let place = place.ok_or(Error::Full { knob, capacity })?;
         let body = self.checked(&grain, place)?;
         if self.clusters.count > 0 && self.clusters.time < self.clock.now {
-            self.move_clusters(self.clock.now)?;
+            self.cut_step()?;
         }
         let event_count = self.particles.body(place).map_or(0, |body| body.event_count);
         self.particles.occupy(place, Body { event_count, ..body });
@@ -115,6 +115,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             cluster::leave(&mut self.particles, &mut self.clusters, (grain, self.clock.now));
         }
         self.particles.vacate(grain, self.clock.now);
+        self.forget_rotation(grain);
         self.queue.set(grain, ScheduledEvent::NONE);
         Ok(taken.unwrap_or_else(|| Body::default().as_grain()))
     }
@@ -136,7 +137,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         }
         let boundary = &self.domain.boundary;
         let mut body = Body { clock: self.clock.now, ..Body::new(grain) };
-        body.position = boundary.to_lattice(boundary.wrap_from_far(body.position));
+        let [position, velocity] =
+            boundary.image_inside([body.position, body.velocity], self.clock.now);
+        (body.position, body.velocity) = (boundary.to_lattice(position), velocity);
         check_input::inside(boundary, place, &body)?;
         check_scales::scales(boundary, self.domain.gravity(), (place, &[body]))?;
         Ok(body)
@@ -172,7 +175,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             context.join(sleeper);
         }
         if self.clusters.count > 0 {
-            self.move_clusters(self.clock.now)?;
+            self.cut_step()?;
         }
         Ok(())
     }
@@ -197,7 +200,7 @@ fn sleeper_at<S: Scalar, const D: usize>(
         let Some(other) = context.particles.body(k).filter(|other| other.is_asleep()) else {
             return;
         };
-        let apart = context.domain.separation(&here, other);
+        let apart = context.domain.separation(&here, other, context.now());
         let reach = (me.radius + other.radius) * (S::one() + S::from_f32(1.0 / 64.0));
         let touches = S::dot(&apart, &apart) < reach.times(reach);
         if touches && k != grain && first.is_none_or(|first| k < first) {

@@ -3,7 +3,7 @@
 use crate::error::{Error, Subject};
 use crate::particle::{Body, Grain, Partner};
 use crate::scalar::{Instant, Scalar, Vector, dot, norm};
-use crate::space::{Boundary, Domain, Particles, Plane, Surface, Vibration};
+use crate::space::{Boundary, Domain, Obstacles, Particles, Plane, Surface, Vibration};
 
 pub(super) fn plane<S: Scalar, const D: usize>(
     plane: &Plane<S, D>,
@@ -22,8 +22,8 @@ pub(super) fn plane<S: Scalar, const D: usize>(
     if let Some(vibration) = &plane.vibration() {
         self::vibration(vibration, subject)?;
     }
-    if let Some(drift) = plane.drift().filter(|drift| !drift.speed.in_range()) {
-        let speed = drift.speed.to_f64();
+    if let Some(drift) = plane.drift().filter(|drift| !drift.rate().in_range()) {
+        let speed = drift.rate().to_f64();
         return Err(Error::input(subject, "drift's speed", speed, "a finite number"));
     }
     match plane.surface {
@@ -35,12 +35,12 @@ pub(super) fn plane<S: Scalar, const D: usize>(
 }
 
 fn vibration<S: Scalar>(v: &Vibration<S>, subject: Subject) -> Result<(), Error> {
-    for (field, value) in [("amplitude", v.amplitude), ("phase", v.phase)] {
+    let [amplitude, phase, f] = v.parameters();
+    for (field, value) in [("amplitude", amplitude), ("phase", phase)] {
         if !value.is_finite() {
             return Err(Error::input(subject, field, value.to_f64(), "a finite number"));
         }
     }
-    let f = v.frequency;
     let exact = Instant::from(S::one() / f) > Instant::START;
     if !(f > S::zero() && f.is_finite() && exact) {
         return Err(Error::input(subject, "frequency", f.to_f64(), "above 0 and below 2^63"));
@@ -102,6 +102,20 @@ pub(super) fn space<S: Scalar, const D: usize>(
     Ok(())
 }
 
+/// What a sheared box cannot have.
+pub(super) fn sheared<S: Scalar, const D: usize>(
+    boundary: &Boundary<S, D>,
+    gravity: &Vector<S, D>,
+) -> Result<(), Error> {
+    if boundary.images().is_some() {
+        if let Some(g) = gravity.iter().find(|&&g| g != S::zero()) {
+            let wanted = "0 in a sheared box: it has no floor on which anything could lie";
+            return Err(Error::input(Subject::World, "gravity", g.to_f64(), wanted));
+        }
+    }
+    Ok(())
+}
+
 /// A position so far off that it cannot be wrapped into the box is refused.
 pub(super) fn inside<S: Scalar, const D: usize>(
     boundary: &Boundary<S, D>,
@@ -147,7 +161,7 @@ pub(super) fn overlaps_of<S: Scalar, const D: usize>(
     particles.cells.for_each_near(body.cell, body.radius, |b| {
         if counts(b) && b < particles.bodies.len() && checked.is_ok() {
             let other = particles.present(b, domain, now);
-            let apart = domain.separation(body, &other);
+            let apart = domain.separation(body, &other, now);
             let gap = norm(&apart) - (body.radius + other.radius);
             checked = refuse_overlap((a, body), Partner::grain(b), gap, far);
         }
@@ -157,7 +171,35 @@ pub(super) fn overlaps_of<S: Scalar, const D: usize>(
         let gap = plane.gap(&body.position, body.radius, now);
         refuse_overlap((a, body), Partner::plane(p), gap, far)?;
     }
-    Ok(())
+    let obstacles = domain.boundary.obstacles();
+    obstacles.map_or(Ok(()), |obstacles| among_facets((a, body), obstacles, far, now))
+}
+
+/// A body must have room among facets: of two on both sides of it the error names both.
+fn among_facets<S: Scalar, const D: usize>(
+    who: (usize, &Body<S, D>),
+    obstacles: &Obstacles<'_, S, D>,
+    far: S,
+    now: S,
+) -> Result<(), Error> {
+    let (position, far) = (&who.1.position, far.max(obstacles.far()));
+    let mut first = None;
+    for k in obstacles.near(position, now) {
+        let distance = obstacles.distance(k, position, now).unwrap_or(S::NEVER);
+        let gap = distance - who.1.radius;
+        let Err(overlap) = refuse_overlap(who, Partner::facet(k), gap, far) else { continue };
+        let Some(Plane { normal, .. }) = obstacles.plane(k, position, now) else { continue };
+        match first {
+            None => first = Some((overlap, normal)),
+            Some((Error::Overlap { grain, with, gap, .. }, other))
+                if dot(&normal, &other) < S::zero() =>
+            {
+                return Err(Error::Overlap { grain, with, gap, also: Some(Partner::facet(k)) });
+            }
+            Some(_) => {}
+        }
+    }
+    first.map_or(Ok(()), |(overlap, _)| Err(overlap))
 }
 
 fn refuse_overlap<S: Scalar, const D: usize>(
@@ -171,7 +213,7 @@ fn refuse_overlap<S: Scalar, const D: usize>(
     if gap >= -rounding {
         return Ok(());
     }
-    Err(Error::Overlap { grain, with, gap: gap.to_f64() })
+    Err(Error::Overlap { grain, with, gap: gap.to_f64(), also: None })
 }
 
 /// What is no number in fixed point is one that was too large.

@@ -34,6 +34,7 @@ pub(super) fn scales<S: Scalar, const D: usize>(
     for plane in boundary.planes() {
         far = far.max(plane.offset.abs());
     }
+    far = boundary.obstacles().map_or(far, |obstacles| far.max(obstacles.far()));
     for (i, body) in (number..).zip(bodies).filter(|(_, body)| !body.is_vacant()) {
         let place = max_abs(&body.position);
         refuse(Subject::Grain(i), "radius", body.radius, has_square(body.radius), LENGTH)?;

@@ -7,13 +7,14 @@ use crate::error::{Error, Subject};
 use crate::law::Enduring;
 use crate::particle::{Body, Partner};
 use crate::scalar::Scalar;
+use crate::space::{Boundary, SavedBoundary};
 
 /// Whether these can be the bodies and events of one world: anything may have been read from a file.
 pub(super) fn check<S: Scalar, const D: usize>(
     bodies: &[Body<S, D>],
     events: &[ScheduledEvent<S>],
     now: S,
-    planes: usize,
+    [planes, facets]: [usize; 2],
 ) -> Result<(), Error> {
     let count = bodies.len();
     if events.len() != count {
@@ -29,8 +30,10 @@ pub(super) fn check<S: Scalar, const D: usize>(
         for partner in [body.partner, event.partner] {
             let grain = partner.as_grain().is_some_and(|k| k < count && k != i);
             let plane = partner.as_plane().is_some_and(|p| p < planes);
-            if !(grain || plane || partner == Partner::NOTHING || partner.is_clustered()) {
-                let wanted = "another grain, a plane or nothing";
+            let facet = partner.as_facet().is_some_and(|k| k < facets);
+            let body = grain || plane || facet;
+            if !(body || partner == Partner::NOTHING || partner.is_clustered()) {
+                let wanted = "another grain, a plane, a facet or nothing";
                 let word = f64::from(partner.word());
                 return Err(Error::input(Subject::Grain(i), "partner", word, wanted));
             }
@@ -71,6 +74,19 @@ fn check_event<S: Scalar>(i: usize, event: &ScheduledEvent<S>, now: S) -> Result
     }
     let wanted = "not before the present, and never for a grain without an event";
     Err(Error::input(Subject::Grain(i), "time of its event", event.time.to_f64(), wanted))
+}
+
+/// The obstacles are not in a snapshot: the memory must have those with which it was saved.
+pub(super) fn check_obstacles<S: Scalar, const D: usize>(
+    boundary: &Boundary<'_, S, D>,
+    saved: &SavedBoundary<S, D>,
+) -> Result<(), Error> {
+    if boundary.fingerprint() == saved.obstacles {
+        return Ok(());
+    }
+    let wanted = "those of the saved world, in the same order (WithObstacles)";
+    let facets = boundary.facets().len() as f64;
+    Err(Error::input(Subject::World, "number of the obstacles' facets", facets, wanted))
 }
 
 /// The common time of clustered grains is not after the present, and their step ends after it.

@@ -144,6 +144,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'_, S, D, R> {
             count: self.count,
             boundary: self.boundary.lent(),
             gravity: self.gravity,
+            shear: self.shear,
             release: self.release,
             t_c: self.t_c,
             settings: self.settings,

@@ -3,6 +3,7 @@
 use super::state::World;
 use crate::particle::Body;
 use crate::scalar::{Scalar, Vector};
+use crate::space::ContactState;
 
 /// FNV-1a with 64 bits.
 struct Fnv(u64);
@@ -53,8 +54,22 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
         let moving = self.domain.boundary.planes().iter().filter(|plane| plane.moves());
         moving.for_each(|plane| fnv.number(plane.motion(self.clock.now).place));
         let boundary = &self.domain.boundary;
+        boundary.images().iter().for_each(|images| fnv.number(images.offset(self.clock.now)));
         let inside = |body: &Body<S, D>| boundary.wrap_from_far(body.position);
         self.particles.bodies.iter().for_each(|body| fnv.body(body, &inside(body)));
-        fnv.0
+        let rotation = &self.particles.rotation;
+        let spins = rotation.velocities.iter().chain(rotation.accelerations.iter());
+        spins.for_each(|&w| fnv.number(w));
+        fnv.0 ^ contacts(self.particles.contacts.0)
     }
+}
+
+/// One number for all contacts that last, in whatever order they are kept; 0 without any.
+fn contacts<S: Scalar>(states: &[ContactState<S>]) -> u64 {
+    let one = |words: [u64; 6]| {
+        let mut fnv = Fnv(0xcbf2_9ce4_8422_2325);
+        words.into_iter().for_each(|word| fnv.word(word));
+        fnv.0
+    };
+    states.iter().filter_map(ContactState::words).map(one).fold(0, u64::wrapping_add)
 }

@@ -1,7 +1,7 @@
 //! What changes when gravity does? Reads and writes the whole state between events.
 
-use super::check_scales;
 use super::state::World;
+use super::{check_input, check_rotation, check_scales};
 use crate::cluster;
 use crate::error::{Error, Subject};
 use crate::law::Rule;
@@ -23,6 +23,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Err(Error::input(Subject::World, "gravity", value, "a finite number"));
         }
         check_scales::gravity(&gravity, self.particles.largest_radius)?;
+        check_rotation::mode(&self.rule, &self.parameters.settings, &gravity)?;
+        check_input::sheared(&self.domain.boundary, &gravity)?;
         if gravity == *self.domain.gravity() {
             return Ok(());
         }
@@ -46,7 +48,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     fn change_gravity(&mut self, gravity: Vector<S, D>) -> Result<(), Error> {
         self.cluster_wall_contacts();
         if self.clusters.count > 0 && self.clusters.time < self.clock.now {
-            self.move_clusters(self.clock.now)?;
+            self.cut_step()?;
         }
         self.set_clocks_back(self.clock.now);
         self.progress.at_once = [0; 2];
@@ -58,7 +60,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             cluster::wake(&mut self.particles, &self.domain, &mut self.clusters, now);
         }
         if self.clusters.count > 0 {
-            self.move_clusters(now)?;
+            self.cut_step()?;
         }
         self.predict_all();
         Ok(())

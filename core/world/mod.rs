@@ -1,9 +1,13 @@
 //! How does a user hold a world? Memory, builder, steps, observation, snapshots; reads and writes everything below.
 
 mod advance;
+#[cfg(feature = "obstacles")]
+mod among_obstacles;
 mod builder;
 mod change;
+mod check_facets;
 mod check_input;
+mod check_rotation;
 mod check_scales;
 mod check_snapshot;
 mod describe;
@@ -12,6 +16,9 @@ mod gravity;
 mod observe;
 mod places;
 mod predictions;
+mod rotate;
+mod rotating;
+mod saved_rotation;
 mod searches;
 mod snapshot;
 mod state;
@@ -23,10 +30,14 @@ mod timekeeping;
 mod together;
 mod view;
 
+#[cfg(feature = "obstacles")]
+pub use among_obstacles::{NoMotion, WithObstacles};
 pub use builder::{NoRule, WorldBuilder};
 pub use observe::{Event, Observer};
+pub use rotating::{Rotating, WithContacts};
+pub use saved_rotation::{NoRotation, SavedRotation};
 pub use searches::Searches;
-pub use snapshot::Snapshot;
+pub use snapshot::{Borrowed, Snapshot};
 pub use state::World;
 pub use statistics::Statistics;
 #[cfg(feature = "alloc")]
@@ -34,5 +45,7 @@ pub use storage::HeapMemory;
 pub use storage::{Buffers, Memory, Storage};
 pub use view::{Motion, Relative, View};
 
+pub use crate::cluster::Transfer;
 pub use crate::detect::{EventKind, ScheduledEvent};
 pub use crate::resolve::{EventOutcome, Release};
+pub use crate::space::{ObstacleBuffers, RotationBuffers};

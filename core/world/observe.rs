@@ -1,6 +1,7 @@
 //! What is an observer told of an event? Reads events and the world they happen in; writes nothing.
 
 use super::view::View;
+use crate::cluster::Transfer;
 use crate::detect::EventKind;
 use crate::particle::Partner;
 use crate::resolve::EventOutcome;
@@ -30,6 +31,13 @@ pub trait Observer<S: Scalar, const D: usize> {
     /// The event is due; the grains stand where it will happen.
     fn before(&mut self, event: &Event<S>, view: View<'_, S, D>) {
         let _ = (event, view);
+    }
+    /// Clustered grains gave each other this in the step that is being made: between `before` and `after` of its event.
+    /// Steps that a change between events cuts short ([`World::set_velocity`](super::World::set_velocity) and the like)
+    /// are not told; [`Statistics::cut_steps`](super::Statistics::cut_steps) counts them.
+    #[inline(always)]
+    fn transferred(&mut self, transfer: &Transfer<S, D>) {
+        let _ = transfer;
     }
     /// The event has happened.
     fn after(&mut self, event: &Event<S>, view: View<'_, S, D>) {

@@ -56,11 +56,20 @@ impl<S: Scalar, const D: usize, R> WorldBuilder<'_, S, D, R> {
     /// # Errors
     /// [`Error::Full`] if the memory has no places for them.
     pub fn reserve(mut self, places: usize) -> Result<Self, Error> {
+        self.add_empty_places(places)?;
+        Ok(self)
+    }
+
+    /// As [`WorldBuilder::reserve`].
+    ///
+    /// # Errors
+    /// As [`WorldBuilder::reserve`]. There are as many then as the memory had places for.
+    pub fn add_empty_places(&mut self, places: usize) -> Result<(), Error> {
         for _ in 0..places {
             *self.place()? = Body::vacant(S::zero(), 0);
             self.count += 1;
         }
-        Ok(self)
+        Ok(())
     }
 
     /// The next place.

@@ -1,9 +1,10 @@
 //! How is a world saved and restored? Reads and writes the whole state.
 
-use super::check_snapshot;
+use super::saved_rotation::{NoRotation, SavedRotation};
 use super::state::{Progress, World};
 use super::statistics::Statistics;
 use super::storage::{Buffers, Storage};
+use super::{check_rotation, check_snapshot};
 use crate::cluster::{Clusters, Settings};
 use crate::detect::ScheduledEvent;
 use crate::error::Error;
@@ -11,7 +12,7 @@ use crate::law::Rule;
 use crate::particle::Body;
 use crate::resolve::Release;
 use crate::scalar::{Clock, Instant, Scalar, Vector};
-use crate::space::{Grid, SavedBoundary};
+use crate::space::{ContactState, Grid, SavedBoundary};
 
 /// The whole state of a world but its rule. With the feature `serde` it can be serialised.
 ///
@@ -22,11 +23,11 @@ use crate::space::{Grid, SavedBoundary};
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "S: serde::Serialize, B: serde::Serialize, Q: serde::Serialize",
-        deserialize = "S: serde::Deserialize<'de>, B: serde::Deserialize<'de>, Q: serde::Deserialize<'de>"
+        serialize = "S: serde::Serialize, B: serde::Serialize, Q: serde::Serialize, W: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>, B: serde::Deserialize<'de>, Q: serde::Deserialize<'de>, W: Default + serde::Deserialize<'de>"
     ))
 )]
-pub struct Snapshot<S: Scalar, const D: usize, B, Q> {
+pub struct Snapshot<S: Scalar, const D: usize, B, Q, W = NoRotation<S>> {
     boundary: SavedBoundary<S, D>,
     grid: Option<Grid<S, D>>,
     gravity: Vector<S, D>,
@@ -43,9 +44,11 @@ pub struct Snapshot<S: Scalar, const D: usize, B, Q> {
     progress: Progress,
     bodies: B,
     events: Q,
+    #[cfg_attr(feature = "serde", serde(default))]
+    rotation: W,
 }
 
-impl<S: Scalar, const D: usize, B, Q> Snapshot<S, D, B, Q> {
+impl<S: Scalar, const D: usize, B, Q, W> Snapshot<S, D, B, Q, W> {
     /// The bodies and the scheduled events.
     #[must_use]
     pub fn arrays(&self) -> (&B, &Q) {
@@ -71,6 +74,23 @@ impl<S: Scalar, const D: usize, B, Q> Snapshot<S, D, B, Q> {
     /// ```
     #[must_use]
     pub fn kept_in<C, P>(self, bodies: C, events: P) -> Snapshot<S, D, C, P> {
+        self.all_kept_in(bodies, events, NoRotation::default())
+    }
+
+    /// How the grains rotate.
+    #[must_use]
+    pub fn rotation(&self) -> &W {
+        &self.rotation
+    }
+
+    /// As [`Snapshot::kept_in`], of grains that rotate: without their [`SavedRotation`] they cannot be restored.
+    #[must_use]
+    pub fn all_kept_in<C, P, V>(
+        self,
+        bodies: C,
+        events: P,
+        rotation: V,
+    ) -> Snapshot<S, D, C, P, V> {
         Snapshot {
             boundary: self.boundary,
             grid: self.grid,
@@ -88,14 +108,24 @@ impl<S: Scalar, const D: usize, B, Q> Snapshot<S, D, B, Q> {
             progress: self.progress,
             bodies,
             events,
+            rotation,
         }
     }
 }
 
+/// A world's whole state, borrowed from it.
+pub type Borrowed<'a, S, const D: usize> = Snapshot<
+    S,
+    D,
+    &'a [Body<S, D>],
+    &'a [ScheduledEvent<S>],
+    SavedRotation<&'a [S], &'a [ContactState<S>]>,
+>;
+
 impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
     /// The whole state, borrowed.
     #[must_use]
-    pub fn save(&self) -> Snapshot<S, D, &[Body<S, D>], &[ScheduledEvent<S>]> {
+    pub fn save(&self) -> Borrowed<'_, S, D> {
         Snapshot {
             boundary: self.domain.boundary.save(),
             grid: self.particles.cells.grid,
@@ -113,6 +143,11 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
             progress: self.progress,
             bodies: &*self.particles.bodies,
             events: &*self.queue.events,
+            rotation: SavedRotation {
+                velocities: &*self.particles.rotation.velocities,
+                accelerations: &*self.particles.rotation.accelerations,
+                contacts: &*self.particles.contacts.0,
+            },
         }
     }
 }
@@ -122,14 +157,16 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
     ///
     /// # Errors
     /// [`Error::Full`] if the memory is too small, [`Error::Input`] if the state is not that of a world.
-    pub fn restore<B, Q>(
+    pub fn restore<B, Q, V, C>(
         memory: &'m mut impl Storage<S, D>,
         rule: R,
-        saved: &Snapshot<S, D, B, Q>,
+        saved: &Snapshot<S, D, B, Q, SavedRotation<V, C>>,
     ) -> Result<Self, Error>
     where
         B: AsRef<[Body<S, D>]>,
         Q: AsRef<[ScheduledEvent<S>]>,
+        V: AsRef<[S]>,
+        C: AsRef<[ContactState<S>]>,
     {
         Self::restore_with(memory.buffers(), rule, saved)
     }
@@ -138,17 +175,19 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
     ///
     /// # Errors
     /// As [`World::restore`].
-    pub fn restore_with<B, Q>(
+    pub fn restore_with<B, Q, V, C>(
         buffers: Buffers<'m, S, D>,
         rule: R,
-        saved: &Snapshot<S, D, B, Q>,
+        saved: &Snapshot<S, D, B, Q, SavedRotation<V, C>>,
     ) -> Result<Self, Error>
     where
         B: AsRef<[Body<S, D>]>,
         Q: AsRef<[ScheduledEvent<S>]>,
+        V: AsRef<[S]>,
+        C: AsRef<[ContactState<S>]>,
     {
         let (bodies, events) = (saved.bodies.as_ref(), saved.events.as_ref());
-        let planes = saved.boundary.planes.len();
+        let planes = [saved.boundary.planes.len(), buffers.obstacles.facets().len()];
         check_snapshot::check(bodies, events, saved.now, planes)?;
         check_snapshot::check_clusters(&saved.clusters, saved.now)?;
         check_snapshot::check_statistics(&saved.statistics)?;
@@ -163,7 +202,10 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
             return Err(builder.too_many_planes());
         }
         (builder.gravity, builder.settings) = (saved.gravity, saved.settings);
+        builder.shear = saved.boundary.shear;
+        check_rotation::saved::<S, D>(&saved.rotation, builder.rule.inertia(), bodies.len())?;
         let mut world = builder.release(saved.release).tc(saved.t_c).build()?;
+        check_snapshot::check_obstacles(&world.domain.boundary, &saved.boundary)?;
         world.take_over(saved)?;
         Ok(world)
     }
@@ -171,10 +213,15 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> World<'m, S, D, R> {
 
 impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
     /// Takes over what a builder does not ask for.
-    fn take_over<B, Q>(&mut self, saved: &Snapshot<S, D, B, Q>) -> Result<(), Error>
+    fn take_over<B, Q, V, C>(
+        &mut self,
+        saved: &Snapshot<S, D, B, Q, SavedRotation<V, C>>,
+    ) -> Result<(), Error>
     where
         B: AsRef<[Body<S, D>]>,
         Q: AsRef<[ScheduledEvent<S>]>,
+        V: AsRef<[S]>,
+        C: AsRef<[ContactState<S>]>,
     {
         let bodies = saved.bodies.as_ref();
         self.particles.bodies.copy_from_slice(bodies);
@@ -191,6 +238,9 @@ impl<S: Scalar, const D: usize, R> World<'_, S, D, R> {
         (self.statistics, self.progress) = (saved.statistics, saved.progress);
         self.queue.events.copy_from_slice(saved.events.as_ref());
         self.queue.rebuild();
-        Ok(())
+        let rotation = &mut self.particles.rotation;
+        rotation.velocities.copy_from_slice(saved.rotation.velocities.as_ref());
+        rotation.accelerations.copy_from_slice(saved.rotation.accelerations.as_ref());
+        self.particles.contacts.restore(saved.rotation.contacts.as_ref())
     }
 }

@@ -43,6 +43,8 @@ pub struct Statistics {
     pub joins: u64,
     /// Steps of clustered grains.
     pub steps: u64,
+    /// Steps of clustered grains that a change between events ended: observers were not told what they did.
+    pub cut_steps: u64,
     /// Steps in which some two were [crushed](crate::resolve::EventOutcome::Crushed).
     pub crushed: u64,
     /// Collisions put before others of the same instant because they were faster (LRV).
@@ -105,13 +107,13 @@ impl Statistics {
         let Self { collisions, plane_collisions, releases, rotation_refused, .. } = *self;
         let Self { interrupted, deferred, clamped, hard_sphere, stale, .. } = *self;
         let Self { cell_crossings, rechecks, epochs, reordered, .. } = *self;
-        let Self { joins, steps, crushed, .. } = *self;
+        let Self { joins, steps, cut_steps, crushed, .. } = *self;
         let Self { rests, take_offs, within_tc, collapses, supported_collisions, .. } = *self;
         let contacts = [collisions, plane_collisions, releases, rotation_refused, interrupted];
         let answers = [deferred, clamped, hard_sphere, stale, reordered];
         let looks = [cell_crossings, rechecks, epochs, rests, take_offs];
         let slow = [within_tc, collapses, supported_collisions];
-        let clusters = [joins, steps, crushed];
+        let clusters = [joins, steps, cut_steps, crushed];
         let all = contacts.into_iter().chain(answers).chain(looks).chain(slow).chain(clusters);
         all.fold(0, u64::max)
     }

@@ -157,9 +157,9 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// Predicts the next events of the grains that an event concerned, and checks that they still can be
     /// computed with. What lies on a grain that was at rest until now looks whether it is still supported.
     pub(super) fn predict_affected(&mut self, effects: &Effects) -> Result<(), Error> {
-        for &grain in &effects.void {
+        for (place, &grain) in effects.void.iter().enumerate() {
             self.check_range(grain)?;
-            let event = self.predict(grain);
+            let event = self.predict_beside(grain, effects.alone >> place & 1 == 1);
             self.queue.set(grain, event);
         }
         for &grain in &effects.woken {

@@ -2,13 +2,23 @@
 
 use super::observe::{Event, Observer};
 use super::state::World;
-use crate::cluster::{self, Crush};
+use crate::cluster::{self, Crush, Receiver, Transfer};
 use crate::detect::EventKind;
 use crate::error::Error;
 use crate::law::Rule;
 use crate::particle::{Body, Partner};
 use crate::resolve::EventOutcome;
-use crate::scalar::Scalar;
+use crate::scalar::{Instant, Scalar};
+
+/// An observer who is told of what clustered grains do.
+struct Told<'a, O>(&'a mut O);
+
+impl<S: Scalar, const D: usize, O: Observer<S, D>> Receiver<S, D> for Told<'_, O> {
+    #[inline(always)]
+    fn receive(&mut self, transfer: &Transfer<S, D>) {
+        self.0.transferred(transfer);
+    }
+}
 
 impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// Whether grains are clustered now.
@@ -29,7 +39,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let (at, kind) = (self.now(), EventKind::Step);
         let mut event = Event { at, grain, partner: Partner::NOTHING, kind, outcome: None };
         observer.before(&event, self.view());
-        let crush = self.move_clusters(to)?;
+        let crush = self.move_observed(to, observer)?;
         self.statistics.steps += 1;
         self.statistics.crushed += u64::from(crush.is_some());
         event.outcome = Some(EventOutcome::Stepped);
@@ -42,11 +52,38 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         Ok(event)
     }
 
-    /// The same without an observer.
-    pub(super) fn move_clusters(&mut self, to: S) -> Result<Option<Crush<S>>, Error> {
-        let rule = (&self.rule, &self.parameters.settings);
-        let crush = cluster::step(&mut self.particles, &self.domain, &mut self.clusters, rule, to);
+    /// The step under way ends now, between events: nobody observes what it does.
+    pub(super) fn cut_step(&mut self) -> Result<(), Error> {
+        self.statistics.cut_steps += u64::from(self.clusters.time < self.clock.now);
+        self.move_observed(self.clock.now, &mut ()).map(|_| ())
+    }
+
+    /// Clustered grains move on to this time.
+    fn move_observed(
+        &mut self,
+        to: S,
+        observer: &mut impl Observer<S, D>,
+    ) -> Result<Option<Crush<S>>, Error> {
+        let (rule, told) = ((&self.rule, &self.parameters.settings), &mut Told(observer));
+        let (particles, clusters) = (&mut self.particles, &mut self.clusters);
+        let crush = cluster::step(particles, &self.domain, clusters, rule, to, told)?;
         self.predict_changed().map(|()| crush)
+    }
+
+    /// Visits the contacts of grains that sleep, with each other and with planes: the forces that hold them, as
+    /// [`Transfer`]s of one unit of time, and since which instant. Observers are told of all others, in the steps of
+    /// clusters ([`Observer::transferred`]). [`Enduring::Integrated`](crate::Enduring) only: what rests in the papers'
+    /// mode touches without force.
+    pub fn for_each_resting_contact(&self, mut visit: impl FnMut(&Transfer<S, D>, Instant)) {
+        if !self.parameters.settings.is_integrated(&self.rule) {
+            return;
+        }
+        let rule = (&self.rule, &self.parameters.settings);
+        let now = self.clock.now;
+        let tell = &mut |transfer: &Transfer<S, D>, since| {
+            visit(transfer, self.clock.instant_of(since));
+        };
+        cluster::for_each_resting(&self.particles, &self.domain, rule, now, tell);
     }
 
     /// Who of the clustered grains flies or sleeps from now on, and what happens to each next.
@@ -57,6 +94,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             self.check_range(grain)?;
             let who = (&self.parameters.settings, grain);
             cluster::settle(&mut self.particles, &self.domain, &mut self.clusters, who);
+            self.settle_rotation(grain);
             let event = self.predict(grain);
             if event.kind != EventKind::Nothing
                 || self.queue.event(grain).kind != EventKind::Nothing

@@ -3,7 +3,7 @@
 use crate::detect::ScheduledEvent;
 use crate::particle::{Body, Index};
 use crate::scalar::{Scalar, Vector, vector};
-use crate::space::{Link, MAX_PLANES, Plane};
+use crate::space::{ContactState, Link, MAX_PLANES, ObstacleBuffers, Plane, RotationBuffers};
 #[cfg(feature = "alloc")]
 use alloc::vec::Vec;
 
@@ -28,6 +28,14 @@ pub struct Buffers<'m, S: Scalar, const D: usize> {
     /// With the feature `alloc`, the calendar of events: two words for each grain, for each of as many days at least,
     /// of which a power of two is used, and one more. With fewer, or none, the tree does the calendar's work.
     pub calendar: &'m mut [[u32; 2]],
+    /// What grains with rough surfaces take beside, see [`Rotating`](super::Rotating); empty for smooth ones.
+    pub rotation: RotationBuffers<'m, S>,
+    /// Contacts that last and remember, as many as there can be at once, see [`WithContacts`](super::WithContacts);
+    /// empty for smooth grains under the laws that have tables.
+    pub contacts: &'m mut [ContactState<S>],
+    /// Obstacles, and the lists in which they are found, see [`WithObstacles`](super::WithObstacles); empty for an empty
+    /// box.
+    pub obstacles: ObstacleBuffers<'m, S, D>,
 }
 
 impl<S: Scalar, const D: usize> Buffers<'_, S, D> {
@@ -49,6 +57,9 @@ impl<S: Scalar, const D: usize> Buffers<'_, S, D> {
             planes: self.planes,
             accelerations: self.accelerations,
             calendar: self.calendar,
+            rotation: self.rotation.lent(),
+            contacts: self.contacts,
+            obstacles: self.obstacles.lent(),
         }
     }
 }
@@ -92,6 +103,9 @@ impl<B, E, W: AsMut<[Index]>, L: AsMut<[Link]>, H: AsMut<[Index]>, P, V, C>
             planes: self.planes.as_mut(),
             accelerations: self.accelerations.as_mut(),
             calendar: self.calendar.as_mut(),
+            rotation: RotationBuffers::default(),
+            contacts: &mut [],
+            obstacles: ObstacleBuffers::default(),
         }
     }
 }

@@ -4,6 +4,8 @@ use super::state::World;
 use crate::detect::EventKind;
 use crate::law::Rule;
 use crate::scalar::Scalar;
+#[cfg(not(feature = "alloc"))]
+use crate::scalar::max_abs;
 use crate::space::flight;
 
 /// So many times as many bookkeeping events as others end an epoch, too.
@@ -43,9 +45,15 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         (self.progress.since_epoch, self.progress.bookkeeping) = (0, 0);
         self.statistics.epochs += 1;
         let (present, now) = (self.clock.now, self.clock.now - back);
+        #[cfg(not(feature = "alloc"))]
+        let mut top_speed = S::zero();
         for body in self.particles.bodies.iter_mut() {
             if !body.is_vacant() {
                 flight::advance(body, &self.domain, present);
+            }
+            #[cfg(not(feature = "alloc"))]
+            {
+                top_speed = top_speed.max(max_abs(&body.velocity));
             }
             body.clock = now;
             if body.contact_end < S::NEVER {
@@ -55,6 +63,10 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
                 let time = body.reference_time - back;
                 body.reference_time = if time.is_finite() { time } else { -S::NEVER };
             }
+        }
+        #[cfg(not(feature = "alloc"))]
+        {
+            self.particles.top_speed = top_speed;
         }
         self.clusters.time -= back;
         self.clock.set_back(back);

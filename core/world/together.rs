@@ -18,7 +18,7 @@ pub(super) struct Before<S: Scalar, const D: usize> {
 
 impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
     /// What it takes to let a collision without duration happen once more, together with others; nothing where that is
-    /// never done: in the papers' mode they come one after the other, the fastest first.
+    /// never done: in the papers' mode, and of grains that rotate, they come one after the other, the fastest first.
     #[inline]
     pub(super) fn before_collision(
         &self,
@@ -28,7 +28,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
         let settings = &self.parameters.settings;
         let may = event.kind == EventKind::Collision
             && settings.is_integrated(&self.rule)
-            && settings.has_instantaneous;
+            && settings.has_instantaneous
+            && self.rule.inertia().is_none();
         may.then(|| {
             let pair = [Some(grain), event.partner.as_grain()];
             Before {

@@ -3,7 +3,7 @@
 use super::statistics::Statistics;
 use crate::particle::{Body, Grain, Partner};
 use crate::scalar::{Clock, Instant, Scalar, Vector, WideProduct, dot};
-use crate::space::{Boundary, Domain, Particles, flight};
+use crate::space::{Boundary, Domain, Facet, Particles, flight};
 
 /// A world to look at.
 #[derive(Clone, Copy)]
@@ -171,9 +171,11 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
         };
         let ((r, v), (s, w)) = (motion(one, a)?, motion(other, b)?);
         let boundary = &self.domain.boundary;
+        let apart = boundary.wrap(r) - boundary.wrap(s);
+        let [separation, velocity] = boundary.relative([apart, v - w], self.clock.now);
         Some(Relative {
-            separation: boundary.nearest(boundary.wrap(r) - boundary.wrap(s)),
-            velocity: v - w,
+            separation,
+            velocity,
             reduced_mass: one.mass / (one.mass + other.mass) * other.mass,
         })
     }
@@ -182,7 +184,25 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
     #[must_use]
     pub fn separation(&self, a: usize, b: usize) -> Option<Vector<S, D>> {
         let (a, b) = (self.grain(a)?, self.grain(b)?);
-        Some(self.domain.boundary.nearest(a.position - b.position))
+        let relative = [a.position - b.position, a.velocity - b.velocity];
+        let [separation, _] = self.domain.boundary.relative(relative, self.clock.now);
+        Some(separation)
+    }
+
+    /// The velocity of a grain against the steady flow of a sheared box: v − γ̇ (y − y₀), y₀ in its middle. Without shear
+    /// that is its velocity. Of contacts under way it is that after them, as in [`View::released`].
+    #[must_use]
+    pub fn peculiar_velocity(&self, index: usize) -> Option<Vector<S, D>> {
+        let grain = self.released(index)?;
+        Some(grain.velocity - self.domain.boundary.flow_at(&grain.position))
+    }
+
+    /// How far the image above a sheared box has moved along the flow by now, less whole lengths of the box: between −1/2
+    /// and 1/2 of one. Zero without shear.
+    #[must_use]
+    pub fn image_offset(&self) -> S {
+        let images = self.domain.boundary.images();
+        images.map_or(S::zero(), |images| images.offset(self.clock.now))
     }
 
     /// Kinetic energy Σ m v²/2, contacts under way counted as if they ended now.
@@ -205,6 +225,12 @@ impl<S: Scalar, const D: usize> View<'_, S, D> {
     #[must_use]
     pub fn boundary(&self) -> &Boundary<'_, S, D> {
         &self.domain.boundary
+    }
+
+    /// A facet of an obstacle as it is now, where it moves ([`RigidMotion`](crate::space::RigidMotion)) or stands.
+    #[must_use]
+    pub fn facet(&self, number: usize) -> Option<Facet<S, D>> {
+        self.domain.boundary.facet_at(number, self.clock.now)
     }
 
     /// The gravity that acts now.

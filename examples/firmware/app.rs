@@ -4,7 +4,7 @@ use carom::law::embedded::read::Table;
 use carom::law::{HardSphere, IntegratedMode, PaperMode};
 use carom::{Error, Instant, World};
 use carom_scenes::Number;
-use carom_scenes::heap::{Heap16, heap};
+use carom_scenes::heap::{GRAINS, Heap, heap};
 use carom_scenes::largest::{Largest, Shared, largest, shared};
 use carom_scenes::measure::{self, Cost};
 use carom_scenes::scene::Rubber;
@@ -56,7 +56,7 @@ pub fn measure_all<S: Number>(
     }
     match measure::time_stepped::<S>(S::compact(), BEGIN, STEPS, board) {
         Ok(instructions) => println!("md {instructions}"),
-        Err(error) => println!("md.error {error}"),
+        Err(error) => println!("md.error {}", error.brief().as_str()),
     }
 }
 
@@ -72,7 +72,7 @@ fn measure_largest<S: Number>(
         .and_then(|mut world| largest(&mut world, 0..READINGS, tilt::accelerometer, board));
     match run {
         Ok(most) => show(name, &most),
-        Err(error) => println!("{name}.error {error}"),
+        Err(error) => println!("{name}.error {}", error.brief().as_str()),
     }
 }
 
@@ -98,7 +98,7 @@ fn measure_frames<S: Number>(
             println!("{name}.share.frame {frame}");
             println!("{name}.share.late {late}");
         }
-        Err(error) => println!("{name}.error {error}"),
+        Err(error) => println!("{name}.error {}", error.brief().as_str()),
     }
 }
 
@@ -118,10 +118,10 @@ const HELD: u32 = 400;
 
 /// Measures the box of 16 that heaps up in the default mode, one line for each number.
 pub fn measure_heap<S: Number>(share: u64, board: &mut impl Board) {
-    let mut memory = Heap16::<S>::default();
-    println!("memory {}", size_of::<Heap16<S>>());
+    let mut memory = Heap::<S, GRAINS>::default();
+    println!("memory {}", size_of::<Heap<S, GRAINS>>());
     println!("world {}", size_of::<World<'_, S, 2, IntegratedMode<HardSphere<S>>>>());
-    let run = heap(&mut memory).and_then(|mut world| {
+    let run = heap(&mut memory, GRAINS as u32).and_then(|mut world| {
         let swung = largest(&mut world, 0..READINGS, tilt::accelerometer, board)?;
         show("swung", &swung);
         println!("swung.clustered {}", world.statistics().steps);
@@ -132,15 +132,15 @@ pub fn measure_heap<S: Number>(share: u64, board: &mut impl Board) {
         Ok(())
     });
     if let Err(error) = run {
-        println!("heap.error {error}");
+        println!("heap.error {}", error.brief().as_str());
     }
-    match heap(&mut memory).and_then(|mut world| shared(&mut world, share, board)) {
+    match heap(&mut memory, GRAINS as u32).and_then(|mut world| shared(&mut world, share, board)) {
         Ok(Shared { frame, late }) => {
             println!("share {share}");
             println!("share.frame {frame}");
             println!("share.late {late}");
         }
-        Err(error) => println!("heap.error {error}"),
+        Err(error) => println!("heap.error {}", error.brief().as_str()),
     }
 }
 
@@ -178,6 +178,6 @@ fn measure<S: Number>(
             println!("{name}.outside {outside}");
             println!("{name}.digest {digest:016x}");
         }
-        Err(error) => println!("{name}.error {error}"),
+        Err(error) => println!("{name}.error {}", error.brief().as_str()),
     }
 }

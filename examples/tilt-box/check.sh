@@ -1,6 +1,6 @@
 # Does the tilt box build for its boards, and do in QEMU what it does here? Read by ../check.sh; writes sizes and counts.
 
-tilt_boards=(nrf52840:thumbv7em-none-eabihf)
+tilt_boards=(nrf52840:thumbv7em-none-eabihf rp2040:thumbv6m-none-eabi esp32c3:riscv32imc-unknown-none-elf)
 
 tilt_box() {
   local board name target image=$CARGO_TARGET_DIR/thumbv7em-none-eabihf/release/carom-tilt-box-qemu

@@ -37,7 +37,7 @@ rm -rf dist
 mkdir dist
 cp page/* dist/
 # Small and fast (s); the plane, whose 500 grains have to keep up with the screen, fast above all.
-for module in line:s:200 plane:3:240 space:s:210; do
+for module in line:s:200 plane:3:240 space:s:210 rough:3:260; do
   IFS=: read -r dimension level kib <<<"$module"
   "${build[@]}" --release --locked --quiet --target $target --features "$dimension" \
     --config "profile.release.opt-level=${level/s/\"s\"}"

@@ -7,7 +7,7 @@ into=$(realpath "${1:-.}")
 [ -e dist/carom-plane.wasm ] || ./build.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cp dist/carom.js dist/carom.d.ts dist/carom-{line,plane,space}.wasm ../../LICENSE-{MIT,APACHE} "$work"
+cp dist/carom.js dist/carom.d.ts dist/carom-{line,plane,rough,space}.wasm ../../LICENSE-{MIT,APACHE} "$work"
 cp NPM.md "$work/README.md"
 # The version is that of the Rust package.
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' ../../Cargo.toml | head -1)

@@ -1,10 +1,11 @@
 //! What does each listed collision lead to? Reads CSV rows and a table or the contact equation; writes results as CSV.
 
+pub use crate::rows::BadRow;
+use crate::rows::{self, Row};
 use crate::scale::{Contact, Impact, Pair};
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Result, bail};
 use carom_tables::contact;
 use carom_tables::read::{End, Groups, Law, ScaledRestitution};
-use csv::StringRecord;
 use std::io::{Read, Write};
 
 /// Where the matrix of restitution comes from.
@@ -146,15 +147,6 @@ pub struct Case {
     pub eccentricity: f64,
 }
 
-/// A row that is no case.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct BadRow {
-    /// What it calls itself; empty if that cannot be read.
-    pub id: String,
-    /// Its number, line, column, value and what would be right.
-    pub why: String,
-}
-
 /// Reads every row of a CSV file with a header.
 ///
 /// # Errors
@@ -167,78 +159,18 @@ pub struct BadRow {
 /// assert!(rows[1].as_ref().unwrap_err().why.contains("line 3"));
 /// ```
 pub fn read(source: impl Read) -> Result<Vec<Result<Case, BadRow>>> {
-    let mut builder = csv::ReaderBuilder::new();
-    let mut reader = builder.trim(csv::Trim::All).flexible(true).from_reader(source);
-    let header = reader.headers().context("the header cannot be read")?.clone();
-    let places = places(&header)?;
-    let mut rows = Vec::new();
-    for (index, record) in reader.records().enumerate() {
-        let number = index + 1;
-        match record {
-            Ok(record) => {
-                let row = Row { record: &record, places: &places, columns: header.len() };
-                rows.push(row.case().map_err(|why| row.bad(number, &why)));
-            }
-            Err(error) if error.is_io_error() => {
-                return Err(error).with_context(|| format!("row {number} cannot be read"));
-            }
-            Err(error) => {
-                let why = format!("row {number} cannot be read: {error}");
-                rows.push(Err(BadRow { id: String::new(), why }));
-            }
-        }
-    }
-    Ok(rows)
+    rows::read(source, &COLUMNS, |row| row.case())
 }
 
-fn places(header: &StringRecord) -> Result<[usize; COLUMNS.len()]> {
-    let mut places = [0; COLUMNS.len()];
-    for (place, name) in places.iter_mut().zip(COLUMNS) {
-        *place = header.iter().position(|field| field == name).ok_or_else(|| {
-            anyhow!("column `{name}` is missing; the header needs {}", COLUMNS.join(","))
-        })?;
-    }
-    Ok(places)
-}
-
-struct Row<'a> {
-    record: &'a StringRecord,
-    places: &'a [usize; COLUMNS.len()],
-    /// How many the header has.
-    columns: usize,
+/// What is to be said of a law that has no table.
+fn hint(law: &str) -> &'static str {
+    let has_none = ["constant", "power", "walton-braun", "dmt", "jkr"].contains(&law);
+    if has_none { "; it has no table: --with forces" } else { "" }
 }
 
 impl Row<'_> {
-    fn bad(&self, number: usize, why: &anyhow::Error) -> BadRow {
-        let line = self.record.position().map_or(0, csv::Position::line);
-        BadRow {
-            id: self.text("id").to_owned(),
-            why: format!("row {number} (line {line}): {why:#}"),
-        }
-    }
-
-    fn text(&self, column: &str) -> &str {
-        let index = COLUMNS.iter().position(|name| *name == column).unwrap_or(0);
-        self.record.get(self.places[index]).unwrap_or("")
-    }
-
-    fn number(&self, column: &str, wanted: &str, good: fn(f64) -> bool) -> Result<f64> {
-        let text = self.text(column);
-        match text.parse::<f64>() {
-            Ok(value) if value.is_finite() && good(value) => Ok(value),
-            _ => bail!("column `{column}`: `{text}` is not {wanted}"),
-        }
-    }
-
-    fn positive(&self, column: &str, wanted: &str) -> Result<f64> {
-        self.number(column, &format!("{wanted} greater than 0"), |x| x > 0.0)
-    }
-
-    fn not_negative(&self, column: &str, wanted: &str) -> Result<f64> {
-        self.number(column, &format!("{wanted} of at least 0"), |x| x >= 0.0)
-    }
-
-    fn contact(&self) -> Result<Contact> {
+    /// The law that a row names.
+    pub(crate) fn contact(&self) -> Result<Contact> {
         match self.text("law") {
             "lsd" => Ok(Contact::LinearDashpot {
                 stiffness: self.positive("k", "a spring constant [N/m]")?,
@@ -251,20 +183,23 @@ impl Row<'_> {
                 })?,
                 dissipation: self.not_negative("A", "a dissipative parameter [s]")?,
             }),
-            other => bail!("column `law`: `{other}` is not `lsd` or `viscoelastic`"),
+            other => bail!("column `law`: `{other}` is not `lsd` or `viscoelastic`{}", hint(other)),
         }
     }
 
-    fn case(&self) -> Result<Case> {
-        let fields = self.record.len();
-        ensure!(fields == self.columns, "{fields} fields, but the header has {}", self.columns);
-        let contact = self.contact()?;
+    /// Radii and masses; relative speed and eccentricity.
+    pub(crate) fn pair(&self) -> Result<(Pair, [f64; 2])> {
         let radii = [self.positive("R1", "a radius [m]")?, self.positive("R2", "a radius [m]")?];
         let masses = [self.positive("m1", "a mass [kg]")?, self.positive("m2", "a mass [kg]")?];
         let speed = self.positive("v", "a relative speed [m/s]")?;
         let eccentricity =
             self.number("e", "an eccentricity d/l from 0 to below 1", |x| (0.0..1.0).contains(&x))?;
-        let pair = Pair { radii, masses };
+        Ok((Pair { radii, masses }, [speed, eccentricity]))
+    }
+
+    fn case(&self) -> Result<Case> {
+        let contact = self.contact()?;
+        let (pair, [speed, eccentricity]) = self.pair()?;
         let impact = Impact::new(&contact, &pair, speed, eccentricity);
         let groups = impact.groups;
         if ![groups.eta, groups.c_dis, impact.time].iter().all(|x| x.is_finite()) {

@@ -3,8 +3,9 @@
 //! The library behind the program `carom`: the same scenario by several methods, the reference MD among
 //! them (`carom-reference`), the papers' figures, and the pictures. Everything the program does can be
 //! reached from here, which is how the tests reach it. With `default-features = false` it is the
-//! library alone, without command line and progress bars.
+//! library alone, without command line, progress bars, figures and heaps.
 
+#[cfg(feature = "figures")]
 pub mod bench;
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -17,10 +18,13 @@ pub mod divergence;
 pub mod drive;
 pub mod figure;
 pub mod growing;
+#[cfg(feature = "figures")]
 pub mod heaps;
+pub mod impacts;
 pub mod integrated;
 pub mod interrupt;
 pub mod machine;
+pub mod measure;
 pub mod method;
 pub mod observe;
 pub mod output;
@@ -28,6 +32,7 @@ pub mod parameter_space;
 pub mod plot;
 pub mod progress;
 pub mod report;
+mod rows;
 pub mod run;
 pub mod scale;
 pub mod scenario;
@@ -52,6 +57,11 @@ mod guide {
     mod firmware {}
     #[doc = include_str!("../../docs/guide/plates-and-rest.md")]
     mod plates_and_rest {}
+    #[doc = include_str!("../../docs/guide/friction.md")]
+    mod friction {}
+    #[doc = include_str!("../../docs/guide/obstacles.md")]
+    mod obstacles {}
+    #[cfg(feature = "figures")]
     #[doc = include_str!("../../docs/guide/program.md")]
     mod program {}
 }

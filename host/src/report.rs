@@ -3,7 +3,7 @@
 use crate::growing::Growing;
 use crate::method::LoggedEvent;
 use crate::run::Sample;
-use crate::scenario::{MethodName, Scenario, Side, Start};
+use crate::scenario::{MethodName, Scenario, Side, Start, present};
 use anyhow::Result;
 use std::io::Write;
 use std::path::Path;
@@ -113,18 +113,17 @@ struct Series {
 impl Series {
     /// One row.
     fn add(&mut self, sample: &Sample) -> Result<()> {
+        let rotates = !sample.rotations.is_empty();
         if !self.begun {
             let names = sample.statistics.iter().map(|(name, _)| *name);
-            self.rows.write_record(
-                ["time", "kinetic_energy", "contacts_begun"].into_iter().chain(names),
-            )?;
+            let rotation = rotates.then_some("rotational_energy");
+            let first = ["time", "kinetic_energy"].into_iter().chain(rotation);
+            self.rows.write_record(first.chain(["contacts_begun"]).chain(names))?;
             self.begun = true;
         }
-        let mut row = vec![
-            format!("{:?}", sample.time),
-            format!("{:?}", sample.kinetic_energy),
-            sample.collisions.to_string(),
-        ];
+        let mut row = vec![format!("{:?}", sample.time), format!("{:?}", sample.kinetic_energy)];
+        row.extend(rotates.then(|| format!("{:?}", sample.rotational_energy)));
+        row.push(sample.collisions.to_string());
         row.extend(sample.statistics.iter().map(|(_, count)| count.to_string()));
         Ok(self.rows.write_record(row)?)
     }
@@ -161,16 +160,17 @@ pub fn write_frame(sink: &mut dyn Write, start: &Start, sample: &Sample) -> Resu
     let mut origin = [0.0; 3];
     let mut size = [0.0; 3];
     for axis in 0..3 {
-        let [from, to] = start.sides[axis].range().unwrap_or_else(|| extent(sample, axis));
+        let [from, to] = start.range_at(axis, sample.time).unwrap_or_else(|| extent(sample, axis));
         (origin[axis], size[axis]) = (from, to - from);
     }
     let periodic =
         start.sides.map(|side| if matches!(side, Side::Periodic(_)) { "T" } else { "F" });
-    writeln!(sink, "{}", sample.grains.len())?;
+    writeln!(sink, "{}", present(&sample.grains).count())?;
+    let rotation = if sample.rotations.is_empty() { "" } else { ":angular_velocity:R:3" };
     writeln!(
         sink,
         "Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{}\" \
-         Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1 Time={:?}",
+         Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1{rotation} Time={:?}",
         size[0],
         size[1],
         size[2],
@@ -181,15 +181,19 @@ pub fn write_frame(sink: &mut dyn Write, start: &Start, sample: &Sample) -> Resu
         sample.time
     )?;
     let names: Vec<String> = start.species_names.iter().map(|name| word(name)).collect();
-    for (number, grain) in sample.grains.iter().enumerate() {
+    for (number, grain) in present(&sample.grains) {
         let of = start.species.get(number).filter(|_| start.has_species);
         let name = of.and_then(|of| names.get(usize::from(*of))).map_or("G", String::as_str);
         let ([x, y, z], [u, v, w]) = (grain.position, grain.velocity);
-        writeln!(
+        write!(
             sink,
             "{name} {x:?} {y:?} {z:?} {u:?} {v:?} {w:?} {:?} {:?}",
             grain.radius, grain.mass
         )?;
+        match sample.rotations.get(number) {
+            Some([a, b, c]) => writeln!(sink, " {a:?} {b:?} {c:?}")?,
+            None => writeln!(sink)?,
+        }
     }
     Ok(())
 }
@@ -200,8 +204,9 @@ fn word(name: &str) -> String {
 }
 
 fn extent(sample: &Sample, axis: usize) -> [f64; 2] {
-    let low = sample.grains.iter().map(|g| g.position[axis] - g.radius);
-    let high = sample.grains.iter().map(|g| g.position[axis] + g.radius);
+    let there = present(&sample.grains).map(|(_, grain)| grain);
+    let low = there.clone().map(|g| g.position[axis] - g.radius);
+    let high = there.map(|g| g.position[axis] + g.radius);
     [low.fold(f64::INFINITY, f64::min), high.fold(f64::NEG_INFINITY, f64::max)]
 }
 

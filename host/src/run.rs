@@ -15,6 +15,10 @@ pub struct Sample {
     pub time: f64,
     /// All grains.
     pub grains: Vec<Placed>,
+    /// The angular velocity of each grain (1/s); nothing where grains are smooth.
+    pub rotations: Vec<[f64; 3]>,
+    /// Kinetic energy of rotation (J).
+    pub rotational_energy: f64,
     /// Kinetic energy (J).
     pub kinetic_energy: f64,
     /// Contacts so far.
@@ -30,9 +34,17 @@ pub struct Sample {
 impl Sample {
     /// What a method has now.
     pub fn take(method: &mut dyn Method, time: f64) -> Self {
+        let grains = method.grains();
+        Self::of(method, time, grains)
+    }
+
+    /// The same, of grains that have been looked at already.
+    pub fn of(method: &mut dyn Method, time: f64, grains: Vec<Placed>) -> Self {
         Self {
             time,
-            grains: method.grains(),
+            grains,
+            rotations: method.rotations(),
+            rotational_energy: method.rotational_energy(),
             kinetic_energy: method.kinetic_energy(),
             collisions: method.collisions(),
             statistics: method.statistics(),
@@ -93,12 +105,12 @@ impl Plan {
     }
 
     /// The next look, if it is due by this time.
-    fn look(&self, position: &Position, by: f64) -> Option<f64> {
+    pub fn look(&self, position: &Position, by: f64) -> Option<f64> {
         self.looks.map(|looks| looks.instant(position.look)).filter(|time| *time <= by)
     }
 
     /// Whether a run that has come so far is over.
-    fn is_over(&self, time: f64, collisions: u64) -> bool {
+    pub fn is_over(&self, time: f64, collisions: u64) -> bool {
         time >= self.duration || collisions >= self.collisions
     }
 
@@ -197,27 +209,55 @@ pub fn attend(
     attendant: &mut impl Attendant,
 ) -> Result<Ended> {
     loop {
-        let time = plan.instant(position.sample);
-        while let Some(look) = plan.look(position, time) {
-            if let Err(why) = advance(method, look, position, attendant)? {
-                return Ok(Ended::BrokenOff(why));
-            }
-            attendant.look(method, look);
-            position.look += 1;
-        }
-        if let Err(why) = advance(method, time, position, attendant)? {
-            return Ok(Ended::BrokenOff(why));
-        }
-        attendant.sample(method, time)?;
-        position.count(method.collisions());
-        if plan.is_over(time, method.collisions()) {
-            return Ok(Ended::Whole);
-        }
-        if let Some(why) = plan.impatience(position) {
-            return Ok(Ended::BrokenOff(why));
+        if let Some(ended) = next_sample(method, plan, position, attendant)? {
+            return Ok(ended);
         }
         attendant.pause(method, position)?;
     }
+}
+
+/// Goes on to the next sample; how the run ended if it was the last.
+///
+/// # Errors
+/// An error of the attendant.
+pub fn next_sample(
+    method: &mut dyn Method,
+    plan: &Plan,
+    position: &mut Position,
+    attendant: &mut impl Attendant,
+) -> Result<Option<Ended>> {
+    let time = plan.instant(position.sample);
+    if let Err(why) = come_to(method, time, plan, position, attendant)? {
+        return Ok(Some(Ended::BrokenOff(why)));
+    }
+    attendant.sample(method, time)?;
+    position.count(method.collisions());
+    if plan.is_over(time, method.collisions()) {
+        return Ok(Some(Ended::Whole));
+    }
+    Ok(plan.impatience(position).map(Ended::BrokenOff))
+}
+
+/// Goes on to an instant, with the looks that are due until then; the inner error is the method's.
+///
+/// # Errors
+/// An error of the attendant.
+pub fn come_to(
+    method: &mut dyn Method,
+    time: f64,
+    plan: &Plan,
+    position: &mut Position,
+    attendant: &mut impl Attendant,
+) -> Result<Result<()>> {
+    while let Some(look) = plan.look(position, time) {
+        if let Err(why) = advance(method, look, position, attendant)? {
+            return Ok(Err(why));
+        }
+        attendant.look(method, look);
+        position.look += 1;
+        attendant.pause(method, position)?;
+    }
+    advance(method, time, position, attendant)
 }
 
 /// Goes on to an instant, with pauses; the inner error is the method's.

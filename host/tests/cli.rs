@@ -122,7 +122,7 @@ fn bad_scenarios_are_named() {
         (
             "kind = \"lsd\"",
             "kind = \"glue\"",
-            "law: unknown variant `glue`; there is lsd, viscoelastic or constant",
+            "law: unknown variant `glue`; there is lsd, viscoelastic, l94 or constant",
         ),
         ("mass = 1.0", "mass = 0.0", "grain 0: mass is 0"),
         ("mass = 1.0", "", "grain 0: give one of mass"),
@@ -164,6 +164,15 @@ fn a_scenario_is_checked() {
     );
     let why = String::from_utf8(output.stderr).expect("text");
     assert!(why.contains("bad.toml: 3 things are wrong"), "{why}");
+    // What does not fit the box, though every field is right.
+    let gas = "dimension = 1\nsample = 0.5\nduration = 1.0\nlaw = { kind = \"constant\", restitution = 1.0 }\n\
+        [box]\nx = { kind = \"periodic\", from = 0.0, to = 9.0 }\n\
+        [[grain]]\nradius = 0.5\nmass = 1.0\nat = [1.0]\n[observe.profile]\naxis = \"z\"\n";
+    let file = written(folder.path(), "misfit.toml", gas);
+    let output = carom().args(["scenario", "check", text(&file)]).output().expect("carom runs");
+    let found = String::from_utf8(output.stdout).expect("text");
+    let wanted = ":12:1: observe.profile.axis is z, but dimension is 1\n";
+    assert!(!output.status.success() && found.ends_with(wanted), "{found}");
     for name in ["beads", "column", "fig6", "gas", "layer", "mixture"] {
         let good = run(&["scenario", "check", text(&scenario(&format!("{name}.toml")))]);
         assert!(String::from_utf8_lossy(&good.stdout).contains("good, "));

@@ -1,10 +1,9 @@
 //! Is what a run measures right? Runs small systems; compares with identities that hold exactly, and with what is published.
 
 use carom_host::columns::Cell;
-use carom_host::method::{self, Method};
 use carom_host::observe::Recorder;
-use carom_host::run::{self, Attendant, Plan, Position};
 use carom_host::scenario::{MethodName, Scenario, Start};
+use carom_host::{measure, method};
 
 /// Disks in a walled box.
 const BOX: &str = r#"
@@ -31,20 +30,6 @@ seed = 3
 every = 0.01
 "#;
 
-/// Only looks.
-struct Looker(Recorder);
-
-impl Attendant for Looker {
-    fn sample(&mut self, _: &mut dyn Method, _: f64) -> anyhow::Result<()> {
-        Ok(())
-    }
-
-    fn look(&mut self, method: &mut dyn Method, time: f64) {
-        let tally = method.take_tally();
-        self.0.look(time, &tally, &method.grains());
-    }
-}
-
 /// What was measured, by name and of what, and the energy at the beginning and the end.
 struct Measured {
     recorder: Recorder,
@@ -55,15 +40,12 @@ impl Measured {
     fn of(text: &str, name: MethodName) -> Self {
         let scenario = Scenario::parse(text).unwrap();
         let start = Start::new(&scenario).unwrap();
-        let recorder = Recorder::new(&scenario, &start, None).unwrap().unwrap();
-        let mut looker = Looker(recorder);
-        let energy = method::with(name, &scenario, &start, |method| {
+        method::with(name, &scenario, &start, |method| {
             let before = method.kinetic_energy();
-            let plan = Plan::new(&scenario);
-            run::attend(method, &plan, &mut Position::default(), &mut looker)?.whole()?;
-            Ok([before, method.kinetic_energy()])
-        });
-        Self { recorder: looker.0, energy: energy.unwrap() }
+            let recorder = measure::attend(method, &scenario, &start)?;
+            Ok(Self { recorder, energy: [before, method.kinetic_energy()] })
+        })
+        .unwrap()
     }
 
     fn value(&self, name: &str, of: &str) -> f64 {
@@ -102,6 +84,33 @@ fn soft_disks_do_so_too() {
     assert_stress_is_felt_by_walls(&soft, MethodName::EmdStar, 0.02);
 }
 
+/// The box with walls that are as soft as the disks.
+fn soft_box() -> String {
+    BOX.replace(", surface = \"hard\", restitution = 1.0", "").replace("1.0e4", "1.0e3")
+}
+
+/// Force-based MD sums up the forces of its steps.
+#[test]
+fn forces_press_on_walls_as_their_stress_says() {
+    let text = soft_box().replace("40.0", "80.0");
+    assert_stress_is_felt_by_walls(&text, MethodName::Md, 0.02);
+    let [md, events] =
+        [MethodName::Md, MethodName::EmdStar].map(|method| Measured::of(&text, method));
+    for (name, of, tolerance) in [
+        ("pressure", "all", 0.02),
+        ("speed of approach", "all", 0.03),
+        // Contacts that a third disk breaks off are two in the papers' mode.
+        ("mean free time", "all", 0.08),
+        ("force", "wall x from", 0.05),
+    ] {
+        let [a, b] = [&md, &events].map(|found| found.value(name, of));
+        assert!((a / b - 1.0).abs() < tolerance, "{name}: {a} by forces, {b} by events");
+    }
+    // π √(m/(2 k)), but for those that a third disk disturbs.
+    let duration = md.value("contact duration", "all") / (std::f64::consts::PI * 0.5e-3_f64.sqrt());
+    assert!((duration - 1.0).abs() < 0.02, "{duration}");
+}
+
 /// In contacts between grains and with walls goes what is missing in the end.
 #[test]
 fn the_energy_lost_is_what_is_missing() {
@@ -117,6 +126,14 @@ fn the_energy_lost_is_what_is_missing() {
         assert!(walls > 0.0 && missing > 0.3 * found.energy[0]);
         assert!((lost / missing - 1.0).abs() < 1e-3, "{method:?}: {lost} of {missing}");
     }
+    let lossy = soft_box().replace("damping = 0.0", "damping = 2.0");
+    let found = Measured::of(&lossy, MethodName::Md);
+    let walls = ["x from", "x to", "y from", "y to"].map(|wall| format!("wall {wall}"));
+    let walls: f64 = walls.iter().map(|of| found.value("energy lost in contacts", of)).sum();
+    let lost = 40.0 * (found.value("energy lost in contacts", "all") + walls);
+    let missing = found.energy[0] - found.energy[1];
+    assert!(walls > 0.0 && missing > 0.3 * found.energy[0]);
+    assert!((lost / missing - 1.0).abs() < 1e-3, "by forces: {lost} of {missing}");
 }
 
 /// Equipartition: two kinds of elastic disks, one eight times as heavy, have one temperature.
@@ -289,8 +306,12 @@ fn tables_are_drawn() {
     }
     assert!(carom(&["plot", "out/emd-star-profile.csv", "--show", "density", "--log", "y"]).0);
     assert!(path("out/emd-star-profile.png").exists());
+    assert!(carom(&["plot", "box.toml", "--grains", "out/emd-star.xyz", "--frame", "0"]).0);
+    assert!(path("out/emd-star.png").exists());
     for (arguments, wanted) in [
         (&["plot", "out/emd-star-averages.csv"][..], "holds words"),
+        (&["plot", "box.toml", "--log", "x"], "--show and --log are for tables"),
+        (&["plot", "none.csv", "--grains", "out/emd-star.xyz"], "--grains is for a scenario"),
         (
             &["plot", "out/emd-star-profile.csv", "--show", "colour"],
             "no column is called colour; there are: number density",
@@ -303,20 +324,73 @@ fn tables_are_drawn() {
     }
 }
 
-/// Where grains were clustered, what contacts gave is not known, and nothing is said: it would be too low (26.5 for
-/// the 45.8 that walls felt, once). Temperatures follow from states, and are there.
+/// Grains that crowd are clustered, and their forces are told step by step: walls feel the stress, and energy is all there.
 #[test]
-fn what_clusters_do_is_not_left_out_without_a_word() {
+fn clusters_press_on_walls_as_their_stress_says() {
     let clustered = BOX.replace("enduring = \"paper\"", "enduring = \"integrated\"");
-    let [paper, clustered] = [BOX, &clustered].map(|text| Measured::of(text, MethodName::EmdStar));
-    let says = |of: &Measured, name: &str| {
-        of.recorder
-            .means()
-            .iter()
-            .any(|(quantity, mean)| quantity.name == name && mean.value.is_finite())
-    };
-    for name in ["pressure", "stress xy", "compressibility factor"] {
-        assert!(says(&paper, name) && !says(&clustered, name), "{name}");
+    let soft = clustered.replace("1.0e4", "1.0e3").replace("40.0", "80.0");
+    assert_stress_is_felt_by_walls(&soft, MethodName::EmdStar, 0.02);
+    let lossy = clustered.replace("damping = 0.0", "damping = 5.0");
+    let found = Measured::of(&lossy, MethodName::EmdStar);
+    let lost = 40.0 * found.value("energy lost in contacts", "all");
+    let missing = found.energy[0] - found.energy[1];
+    assert!(missing > 0.2 * found.energy[0]);
+    assert!((lost / missing - 1.0).abs() < 0.02, "{lost} of {missing}");
+    // Which contact of a cluster is which is not known.
+    let says = |name: &str| found.recorder.means().iter().any(|(q, _)| q.name == name);
+    assert!(says("pressure") && says("speed of approach"));
+    assert!(!says("coefficient of restitution") && !says("contact duration"));
+}
+
+/// Disks fall onto a floor and come to rest: from then on the floor bears their weight, and the walls no more than the
+/// stress along them; no grain moves any more.
+#[test]
+fn a_settled_heap_weighs_what_it_weighs() {
+    for (law, method) in [
+        ("kind = \"lsd\"\nstiffness = 1.0e5\ndamping = 40.0", MethodName::EmdStar),
+        ("kind = \"constant\"\nrestitution = 0.5", MethodName::Emd),
+    ] {
+        let text = BOX
+            .replace("kind = \"lsd\"\nstiffness = 1.0e4\ndamping = 0.0", law)
+            .replace("enduring = \"paper\"", "enduring = \"integrated\"")
+            .replace("sample = 40.0", "sample = 40.0\ngravity = [0.0, -10.0]")
+            .replace(", surface = \"hard\", restitution = 1.0", "")
+            .replace(
+                "\"emd*\"",
+                &format!("{:?}", if method == MethodName::Emd { "emd" } else { "emd*" }),
+            )
+            .replace("every = 0.01", "from = 30.0\nevery = 0.5");
+        let found = Measured::of(&text, method);
+        let weight: f64 = 20.0 * 10.0;
+        let floor = found.value("force", "wall y from");
+        assert!((floor / weight - 1.0).abs() < 1e-3, "{law}: {floor}");
+        let [left, right] = ["wall x from", "wall x to"].map(|of| found.value("force", of));
+        assert!((left - right).abs() < 1e-3 * weight, "{left} and {right}");
+        // Σ r·F of all contacts: Σ m g y of the centres, the floor's distance to them being its R.
+        let found = found.value("stress xx", "all") * 48.0;
+        assert!((found - right * 7.0).abs() < 0.01 * weight, "{found} and {right}");
     }
-    assert!(says(&clustered, "temperature"));
+}
+
+/// One above the other: what each bears is the weight of all that lie above it (Σ y F over the contacts).
+#[test]
+fn a_column_bears_what_lies_above() {
+    let n = 6;
+    let mut text = "dimension = 2\nduration = 60.0\nsample = 60.0\ngravity = [0.0, -10.0]\n\
+        methods = [\"emd*\"]\n[box]\nx = { kind = \"walls\", from = -0.5, to = 1.5 }\n\
+        y = { kind = \"walls\", from = 0.0, to = 10.0 }\n\
+        [law]\nkind = \"lsd\"\nstiffness = 1e5\ndamping = 60.0\n[observe]\nfrom = 50.0\nevery = 1.0\n"
+        .to_owned();
+    for k in 0..n {
+        let y = 0.5 + 1.01 * f64::from(k);
+        text.push_str(&format!("[[grain]]\nradius = 0.5\nmass = 1.0\nat = [0.5, {y}]\n"));
+    }
+    let found = Measured::of(&text, MethodName::EmdStar);
+    assert!((found.value("force", "wall y from") / 60.0 - 1.0).abs() < 1e-3);
+    // Between grains k and k + 1 weighs what is above: 5 + 4 + 3 + 2 + 1 grains, at a distance of 1 less the overlap.
+    let virial = found.value("stress yy", "all") * 20.0;
+    let overlap = |above: f64| 10.0 * above / 1e5;
+    let wanted: f64 =
+        (1..n).map(f64::from).map(|above| 10.0 * above * (1.0 - overlap(above))).sum();
+    assert!((virial / wanted - 1.0).abs() < 1e-3, "{virial} of {wanted}");
 }

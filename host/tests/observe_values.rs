@@ -3,28 +3,13 @@
 //! `cargo test --release -p carom-host --test observe_values -- --ignored --nocapture` prints what it finds.
 
 use carom_host::figure::hard::pressure::kolafa_rottner;
-use carom_host::method::{self, Method};
+use carom_host::measure;
 use carom_host::observe::{Mean, Recorder};
-use carom_host::run::{self, Attendant, Plan, Position};
 use carom_host::scenario::{MethodName, Placed, Scenario, Side, Start};
 use rand::{RngExt, SeedableRng};
 use rand_distr::StandardNormal;
 use rand_pcg::Pcg64;
 use std::f64::consts::PI;
-
-/// Only looks.
-struct Looker(Recorder);
-
-impl Attendant for Looker {
-    fn sample(&mut self, _: &mut dyn Method, _: f64) -> anyhow::Result<()> {
-        Ok(())
-    }
-
-    fn look(&mut self, method: &mut dyn Method, time: f64) {
-        let tally = method.take_tally();
-        self.0.look(time, &tally, &method.grains());
-    }
-}
 
 /// Elastic spheres or disks of mass 1, so many along an axis, on a cubic lattice in a periodic box; their
 /// diameters follow from their places. No total momentum, kT = 1.
@@ -58,27 +43,19 @@ fn lattice(start: &mut Start, side: usize, length: f64, diameter: impl Fn([usize
 fn measured(
     dimension: usize,
     [from, every, duration]: [f64; 3],
-    more: &str,
     fill: impl Fn(&mut Start),
 ) -> Recorder {
     let text = format!(
         "dimension = {dimension}\nduration = {duration:?}\nsample = {duration:?}\nmethods = [\"emd\"]\n\
          [law]\nkind = \"constant\"\nrestitution = 1.0\n\
-         [observe]\nfrom = {from:?}\nevery = {every:?}\n{more}\n\
+         [observe]\nfrom = {from:?}\nevery = {every:?}\n\
          [[grain]]\nradius = 0.5\nmass = 1.0\nat = {:?}",
         vec![0.0; dimension]
     );
     let scenario = Scenario::parse(&text).unwrap();
     let mut start = Start::new(&scenario).unwrap();
     fill(&mut start);
-    let recorder = Recorder::new(&scenario, &start, None).unwrap().unwrap();
-    let mut looker = Looker(recorder);
-    method::with(MethodName::Emd, &scenario, &start, |method| {
-        let plan = Plan::new(&scenario);
-        run::attend(method, &plan, &mut Position::default(), &mut looker)?.whole()
-    })
-    .unwrap();
-    looker.0
+    measure::run(MethodName::Emd, &scenario, &start).unwrap()
 }
 
 fn mean(recorder: &Recorder, name: &str) -> Mean {
@@ -96,15 +73,24 @@ fn compare(what: &str, Mean { value, error }: Mean, published: f64, tolerance: f
     assert!(difference.abs() < tolerance, "{what}: {value} ± {error}, published {published}");
 }
 
-/// Density 0.5, N = 1,331: mean free time (Lue 2005, doi:10.1063/1.1834498) and coefficient of diffusion as
+/// Density 0.5, N = 1,372 from a close-packed lattice: mean free time (Lue 2005, doi:10.1063/1.1834498) and coefficient of diffusion as
 /// DynamO's tests have them (`hardsphere_test.cpp`, to 1 % and 6 %).
 #[test]
 #[ignore = "minutes without --release"]
 fn spheres_of_density_one_half() {
-    let correlations = "[observe.correlations]\nto = 4.0\npoints = 40";
-    let found = measured(3, [4.0, 0.1, 44.0], correlations, |start| {
-        lattice(start, 11, 11.0 / 0.5_f64.cbrt(), |_| 1.0);
-    });
+    let text = format!(
+        "dimension = 3\nduration = 44.0\nsample = 44.0\nmethods = [\"emd\"]\n\
+         law = {{ kind = \"constant\", restitution = 1.0 }}\n\
+         [box]\npacking_fraction = {:?}\nx = {{ kind = \"periodic\" }}\ny = {{ kind = \"periodic\" }}\n\
+         z = {{ kind = \"periodic\" }}\n\
+         [[species]]\ncount = 1372\nradius = 0.5\ndensity = {:?}\ntemperature = 1.0\nplace = {{ kind = \"lattice\" }}\n\
+         [observe]\nfrom = 4.0\nevery = 0.1\ncorrelations = {{ to = 4.0, points = 40 }}\n",
+        0.5 * PI / 6.0,
+        6.0 / PI
+    );
+    let scenario = Scenario::parse(&text).unwrap();
+    let start = Start::new(&scenario).unwrap();
+    let found = measure::run(MethodName::Emd, &scenario, &start).unwrap();
     compare("mean free time", mean(&found, "mean free time"), 0.13031, 0.01);
     compare("D", mean(&found, "diffusion coefficient"), 0.247, 0.06);
 }
@@ -115,7 +101,7 @@ fn spheres_of_density_one_half() {
 #[ignore = "minutes without --release"]
 fn a_mixture_of_two_sizes() {
     let length = (1000.0 * PI / 6.0 * 4.5 / 0.3_f64).cbrt();
-    let found = measured(3, [20.0, 0.5, 220.0], "", |start| {
+    let found = measured(3, [20.0, 0.5, 220.0], |start| {
         let size = |at: [usize; 3]| if at.iter().sum::<usize>() % 2 == 0 { 2.0 } else { 1.0 };
         lattice(start, 10, length, size);
     });
@@ -129,7 +115,7 @@ fn disks_of_three_densities() {
     for (packing, duration) in [(0.3_f64, 400.0), (0.5, 150.0), (0.65, 60.0)] {
         let length = (1024.0 * PI / 4.0 / packing).sqrt();
         let span = [0.1 * duration, 0.1, duration];
-        let found = measured(2, span, "", |start| lattice(start, 32, length, |_| 1.0));
+        let found = measured(2, span, |start| lattice(start, 32, length, |_| 1.0));
         let z = mean(&found, "compressibility factor");
         compare(&format!("Z of disks at {packing}"), z, kolafa_rottner(packing), 0.003);
     }

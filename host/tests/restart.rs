@@ -153,6 +153,21 @@ fn a_run_killed_at_any_instant_continues_to_the_same_bits() {
     assert!(kills > 0, "it was never killed");
 }
 
+/// Runs by forces, too, between two of their steps.
+#[test]
+fn so_does_one_by_forces() {
+    let text = shaken()
+        .replace("[\"emd\", \"emd*\"]", "[\"md\", \"md-exact\"]")
+        .replace("events = true", "")
+        .replace("duration = 0.15", "duration = 0.06")
+        .replace("sample = 0.05", "sample = 0.03");
+    let wanted = uninterrupted(&text);
+    assert!(String::from_utf8_lossy(&wanted["md-averages.csv"]).contains("pressure"));
+    let case = Case::new(&text);
+    assert!(kill_until_done(&case, 3) > 3);
+    assert_same(&case, &wanted);
+}
+
 /// Interrupted as soon as there is a checkpoint; the second time it goes on, the third there is nothing to do.
 #[test]
 fn an_interrupt_leaves_a_checkpoint() {

@@ -1,5 +1,6 @@
 //! Does a sweep give the same file however it is split, killed and taken up again? Runs small sweeps; writes to temporary folders.
 
+use carom_host::scenario::Start;
 use carom_host::sweep::{Cell, Plan, Rows, merge, sweep};
 use serde_json::json;
 use std::fs;
@@ -55,6 +56,44 @@ fn output_of(command: &mut Command) -> (bool, String) {
     let output = command.output().unwrap();
     let text = [output.stdout, output.stderr].concat();
     (output.status.success(), String::from_utf8(text).unwrap())
+}
+
+/// Seeds set every seed that a scenario draws from: that of a gas, and that of species and of what drives them.
+#[test]
+fn seeds_are_those_of_all_that_is_drawn() {
+    const SPECIES: &str =
+        "[[species]]\ncount = 5\nradius = 0.05\ndensity = 1140.0\ntemperature = 1.0\n";
+    let energies = |scenario: &str, paths: &[&str]| {
+        let (_folder, file) = folder(scenario, SWEEP);
+        let plan = Plan::read(&file).unwrap();
+        let names: Vec<String> = plan.columns().into_iter().map(|column| column.name).collect();
+        assert_eq!(names[2..], *paths, "after the method and the grid's field");
+        let place = |number: usize| {
+            let run = plan.run(2 * number).unwrap();
+            Start::new(&run.scenario).unwrap().grains.iter().map(|g| g.position).collect::<Vec<_>>()
+        };
+        (place(0), place(1), place(0))
+    };
+    let (gas, rest) = SCENARIO.split_once("[gas]").map(|(rest, gas)| (gas, rest)).unwrap();
+    let sized = rest.replace("[box]", "[box]\npacking_fraction = 0.1");
+    let alone = format!("{sized}{SPECIES}");
+    let both = format!("{SCENARIO}{SPECIES}");
+    assert!(gas.contains("seed"));
+    for (scenario, paths) in [(SCENARIO, &["gas.seed"][..]), (&both, &["gas.seed", "seed"])] {
+        let (one, two, again) = energies(scenario, paths);
+        assert!(one != two && one == again, "{paths:?}");
+    }
+    let sweep = SWEEP.replace("gas.packing_fraction", "box.packing_fraction");
+    let (_folder, file) = folder(&alone, &sweep);
+    assert_eq!(Plan::read(&file).unwrap().columns()[2].name, "seed");
+    let listed = format!("{sized}[[grain]]\nradius = 0.05\nmass = 1.0\nat = [0.5, 0.5]\n");
+    let (_folder, file) = folder(&listed, &sweep);
+    let refused = format!("{:#}", Plan::read(&file).unwrap_err());
+    assert!(
+        refused.ends_with(
+            "seeds: the scenario draws nothing at random: it has no gas, species or drive"
+        )
+    );
 }
 
 /// The cell of a row under this name.

@@ -134,6 +134,43 @@ fn run<const N: usize>(law: Law, end: End, c: &Parameters, tolerance: f64) -> Ra
     RadialSolution { tau: f64::INFINITY, speed: 0.0, rotation: path.rotation[0], passed_centre }
 }
 
+/// The duration of a central contact that nothing turns, and overlap and rate at these phases p in ascending order,
+/// which are the times τ p²(3 − 2p).
+pub(crate) fn motion(law: Law, c_dis: f64, phases: &[f64]) -> (f64, Vec<[f64; 2]>) {
+    let c = unloaded(0.0, 0.0, c_dis);
+    let tau = run::<PRECISE_TERMS>(law, End::Force, &c, 1e-17).tau;
+    let mut times = phases.iter().map(|p| tau * p * p * (3.0 - 2.0 * p)).peekable();
+    let mut path = Trajectory::<PRECISE_TERMS>::at_first_touch(&c);
+    let (scale, mut states) = (compression_scale(law, &c), Vec::new());
+    for _ in 0..STEPS {
+        expand(law, &mut path, &c);
+        let h = path.step(max_step(law, &path, &c), 1e-17, scale, &c);
+        let end = ending(law, End::Force, &path, &c, h);
+        let (h, is_last) = (end.unwrap_or(h), end.is_some());
+        while let Some(time) = times.next_if(|&t| is_last || t <= value(&path.time, h)) {
+            states.push(state_within(law, &path, time, h));
+        }
+        if is_last {
+            break;
+        }
+        path.advance(h);
+        renew(law, &mut path, &c);
+    }
+    (tau, states)
+}
+
+/// Overlap and rate at an instant within a step.
+fn state_within<const N: usize>(law: Law, path: &Trajectory<N>, time: f64, h: f64) -> [f64; 2] {
+    let later = |h: f64| time - value(&path.time, h);
+    let mut there = path.clone();
+    there.advance(match (later(0.0) > 0.0, later(h) < 0.0) {
+        (false, _) => 0.0,
+        (_, false) => h,
+        _ => bisect(0.0, h, later),
+    });
+    [compression(law, &there), there.v[0]]
+}
+
 /// At the centre of an exactly central collision the distance begins to grow again.
 fn reflect<const N: usize>(law: Law, path: &mut Trajectory<N>, c: &Parameters) {
     path.v[0] = -path.v[0];

@@ -28,6 +28,8 @@ pub mod contact;
 #[cfg(feature = "generate")]
 mod fit;
 #[cfg(feature = "generate")]
+mod pair_contact;
+#[cfg(feature = "generate")]
 pub mod random;
 #[cfg(feature = "generate")]
 pub mod recipe;

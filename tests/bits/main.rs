@@ -1,4 +1,4 @@
-//! Does this machine compute the same bits as every other? Replays four scenes; compares digests with the golden file.
+//! Does this machine compute the same bits as every other? Replays scenes; compares digests with the golden file.
 //!
 //! `golden.txt` holds `scene scalar events digest` after each thousand events. It is made by
 //! `cargo run --release --manifest-path examples/scenes/Cargo.toml --example replay -- 100000 > tests/bits/golden.txt`
@@ -66,6 +66,11 @@ fn gas32() {
 #[test]
 fn column10() {
     all(Scene::Column10, 10_000);
+}
+
+#[test]
+fn hourglass16() {
+    all(Scene::Hourglass16, 10_000);
 }
 
 #[test]

@@ -37,6 +37,20 @@ fn worlds_from_bytes_hold() {
     replay("world", 8, body::world::run);
 }
 
+/// No files yet: bytes that look random.
+#[test]
+fn obstacles_from_bytes_hold() {
+    let mut seed = 1_u32;
+    for _ in 0..100 {
+        let next = |_| {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (seed >> 24) as u8
+        };
+        let bytes: Vec<u8> = (0..160).map(next).collect();
+        let _ = body::mesh::run(&bytes);
+    }
+}
+
 #[test]
 fn scenarios_from_text_hold() {
     replay("scenario", 6, body::scenario::run);

@@ -16,12 +16,13 @@ const ROOMS: [&str; 10] = [
 ];
 
 /// Where the crates' sources are.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 9] = [
     "core",
     "tables/src",
     "host/src",
     "host/reference/src",
     "examples/c/src",
+    "examples/python/src",
     "examples/scenes/src",
     "examples/tilt-box/scene/src",
     "examples/web/src",

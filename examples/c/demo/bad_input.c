@@ -55,6 +55,8 @@ static void description(carom_world_3d_f64 *world) {
   expect(carom_2d_f32_set_restitution((carom_world_2d_f32 *)(void *)world, 1.0f), CAROM_ERROR_NO_WORLD,
          "a world of another kind");
   expect(carom_3d_f64_set_linear_dashpot(world, 1.0, 0.0, 7), CAROM_ERROR_TABLE, "table 7");
+  expect(carom_3d_f64_set_mode(world, 7), CAROM_ERROR_MODE, "mode 7");
+  expect(carom_3d_f64_remove_grain(world, 0, &grain), CAROM_ERROR_NOT_STARTED, "a grain less before the start");
   expect(carom_3d_f64_digest(world, &digest), CAROM_ERROR_NOT_STARTED, "the digest of what has not begun");
   expect(carom_3d_f64_step(world, 1.0, &event), CAROM_ERROR_NOT_STARTED, "a step before the start");
   expect_untouched("description");

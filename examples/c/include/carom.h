@@ -39,7 +39,7 @@
 #define CAROM_ALIGNMENT_32 8
 
 // Bytes of such a world without grains and planes where pointers have 32 bits.
-#define CAROM_2D_F32_FIXED_32 640
+#define CAROM_2D_F32_FIXED_32 704
 
 // Bytes of each grain there.
 #define CAROM_2D_F32_GRAIN_32 96
@@ -57,7 +57,7 @@
 #define CAROM_2D_F32_PLANE_64 64
 
 // Bytes of such a world without grains and planes where pointers have 32 bits.
-#define CAROM_2D_F64_FIXED_32 832
+#define CAROM_2D_F64_FIXED_32 896
 
 // Bytes of each grain there.
 #define CAROM_2D_F64_GRAIN_32 160
@@ -75,7 +75,7 @@
 #define CAROM_2D_F64_PLANE_64 128
 
 // Bytes of such a world without grains and planes where pointers have 32 bits.
-#define CAROM_3D_F64_FIXED_32 896
+#define CAROM_3D_F64_FIXED_32 960
 
 // Bytes of each grain there.
 #define CAROM_3D_F64_GRAIN_32 192
@@ -97,6 +97,13 @@
 
 // The standard tables: about 20 KB a law, errors up to 1.1e-6. The library has them if it was built with them.
 #define CAROM_TABLE_STANDARD 1
+
+// The default: contacts that last or crowd are integrated.
+#define CAROM_MODE_INTEGRATED 0
+
+// The papers' mode: one contact of two after the other, grains at rest by rules. The library has it if it was built with
+// it (feature paper): 30 KB of flash more.
+#define CAROM_MODE_PAPER 1
 
 // There is no such grain, or no such plane.
 #define CAROM_NOBODY 4294967295
@@ -145,8 +152,12 @@ enum carom_error
   CAROM_ERROR_NOT_FINITE = 17,
   // The time asked for lies in the past.
   CAROM_ERROR_PAST = 18,
+  // A number does not fit the fixed-point type. No world of this library has one.
+  CAROM_ERROR_OVERFLOW = 19,
+  // The library was built without this mode, or there is none of this number.
+  CAROM_ERROR_MODE = 20,
   // Another error: the text says which.
-  CAROM_ERROR_OTHER = 19,
+  CAROM_ERROR_OTHER = 21,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -180,6 +191,9 @@ typedef enum carom_event_kind carom_event_kind;
 typedef int32_t carom_event_kind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
+
+// What becomes of contacts that last or crowd.
+typedef struct Mode Mode;
 
 //A world of disks whose numbers are float. It lies in memory that the caller gives.
 typedef struct carom_world_2d_f32 carom_world_2d_f32;
@@ -259,6 +273,8 @@ typedef struct carom_grain_3d_f64 {
   // Mass, above 0.
   double mass;
 } carom_grain_3d_f64;
+
+
 
 #ifdef __cplusplus
 extern "C" {
@@ -341,6 +357,13 @@ carom_error carom_2d_f32_set_contact_time(struct carom_world_2d_f32 *world, floa
 // In how many steps the shortest contact of several grains is integrated: from 8 to 4096, by default 32.
 carom_error carom_2d_f32_set_steps_per_contact(struct carom_world_2d_f32 *world, uint32_t steps);
 
+// CAROM_MODE_INTEGRATED, the default, or CAROM_MODE_PAPER, if the library has it.
+carom_error carom_2d_f32_set_mode(struct carom_world_2d_f32 *world, int32_t mode);
+
+// So many empty places, behind the grains so far, for grains that are inserted while time passes. Of the
+// places that create was told of.
+carom_error carom_2d_f32_add_empty_places(struct carom_world_2d_f32 *world, uint32_t places);
+
 // One grain more. Grains are numbered from 0 in the order in which they are added.
 carom_error carom_2d_f32_add_grain(struct carom_world_2d_f32 *world, const struct carom_grain_2d_f32 *grain);
 
@@ -352,6 +375,17 @@ carom_error carom_2d_f32_start(struct carom_world_2d_f32 *world);
 carom_error carom_2d_f32_set_velocity(struct carom_world_2d_f32 *world,
                                       uint32_t index,
                                       const float *velocity);
+
+// One grain more, now, in the first empty place, whose number index is: CAROM_ERROR_FULL without one,
+// CAROM_ERROR_OVERLAP where another body is. Its radius is at most the largest at the start.
+carom_error carom_2d_f32_insert_grain(struct carom_world_2d_f32 *world,
+                                      const struct carom_grain_2d_f32 *grain,
+                                      uint32_t *index);
+
+// Takes a grain out, now; grain is what it was. Its place is empty: the others keep their numbers.
+carom_error carom_2d_f32_remove_grain(struct carom_world_2d_f32 *world,
+                                      uint32_t index,
+                                      struct carom_grain_2d_f32 *grain);
 
 // Everything up to this time happens, and it becomes the present.
 carom_error carom_2d_f32_advance_to(struct carom_world_2d_f32 *world, double time);
@@ -376,19 +410,23 @@ carom_error carom_2d_f32_time(struct carom_world_2d_f32 *world, double *time);
 // Nothing happens before this time: one can sleep until then. Infinite if nothing will ever happen.
 carom_error carom_2d_f32_next_event_time(struct carom_world_2d_f32 *world, double *time);
 
-// How many grains there are.
+// How many grains there are, empty places included: an array of so many holds something of each.
 carom_error carom_2d_f32_count(struct carom_world_2d_f32 *world, uint32_t *count);
 
-// A grain as it is now.
+// A grain as it is now; CAROM_ERROR_INDEX for an empty place.
 carom_error carom_2d_f32_grain(struct carom_world_2d_f32 *world,
                                uint32_t index,
                                struct carom_grain_2d_f32 *grain);
 
-//All positions, 2 numbers for each grain; length is how many numbers there are places for.
-carom_error carom_2d_f32_positions(struct carom_world_2d_f32 *world, float *positions, size_t length);
+//All positions, 2 numbers for each grain, 0 for empty places; length is how many numbers there are places for.
+carom_error carom_2d_f32_positions(struct carom_world_2d_f32 *world,
+                                   float *positions,
+                                   size_t length);
 
-//All velocities, 2 numbers for each grain; length is how many numbers there are places for.
-carom_error carom_2d_f32_velocities(struct carom_world_2d_f32 *world, float *velocities, size_t length);
+//All velocities, 2 numbers for each grain, 0 for empty places; length is how many numbers there are places for.
+carom_error carom_2d_f32_velocities(struct carom_world_2d_f32 *world,
+                                    float *velocities,
+                                    size_t length);
 
 // The kinetic energy, contacts under way counted as if they ended now.
 carom_error carom_2d_f32_kinetic_energy(struct carom_world_2d_f32 *world, float *energy);
@@ -492,6 +530,13 @@ carom_error carom_2d_f64_set_contact_time(struct carom_world_2d_f64 *world, doub
 // In how many steps the shortest contact of several grains is integrated: from 8 to 4096, by default 32.
 carom_error carom_2d_f64_set_steps_per_contact(struct carom_world_2d_f64 *world, uint32_t steps);
 
+// CAROM_MODE_INTEGRATED, the default, or CAROM_MODE_PAPER, if the library has it.
+carom_error carom_2d_f64_set_mode(struct carom_world_2d_f64 *world, int32_t mode);
+
+// So many empty places, behind the grains so far, for grains that are inserted while time passes. Of the
+// places that create was told of.
+carom_error carom_2d_f64_add_empty_places(struct carom_world_2d_f64 *world, uint32_t places);
+
 // One grain more. Grains are numbered from 0 in the order in which they are added.
 carom_error carom_2d_f64_add_grain(struct carom_world_2d_f64 *world, const struct carom_grain_2d_f64 *grain);
 
@@ -503,6 +548,17 @@ carom_error carom_2d_f64_start(struct carom_world_2d_f64 *world);
 carom_error carom_2d_f64_set_velocity(struct carom_world_2d_f64 *world,
                                       uint32_t index,
                                       const double *velocity);
+
+// One grain more, now, in the first empty place, whose number index is: CAROM_ERROR_FULL without one,
+// CAROM_ERROR_OVERLAP where another body is. Its radius is at most the largest at the start.
+carom_error carom_2d_f64_insert_grain(struct carom_world_2d_f64 *world,
+                                      const struct carom_grain_2d_f64 *grain,
+                                      uint32_t *index);
+
+// Takes a grain out, now; grain is what it was. Its place is empty: the others keep their numbers.
+carom_error carom_2d_f64_remove_grain(struct carom_world_2d_f64 *world,
+                                      uint32_t index,
+                                      struct carom_grain_2d_f64 *grain);
 
 // Everything up to this time happens, and it becomes the present.
 carom_error carom_2d_f64_advance_to(struct carom_world_2d_f64 *world, double time);
@@ -527,19 +583,23 @@ carom_error carom_2d_f64_time(struct carom_world_2d_f64 *world, double *time);
 // Nothing happens before this time: one can sleep until then. Infinite if nothing will ever happen.
 carom_error carom_2d_f64_next_event_time(struct carom_world_2d_f64 *world, double *time);
 
-// How many grains there are.
+// How many grains there are, empty places included: an array of so many holds something of each.
 carom_error carom_2d_f64_count(struct carom_world_2d_f64 *world, uint32_t *count);
 
-// A grain as it is now.
+// A grain as it is now; CAROM_ERROR_INDEX for an empty place.
 carom_error carom_2d_f64_grain(struct carom_world_2d_f64 *world,
                                uint32_t index,
                                struct carom_grain_2d_f64 *grain);
 
-//All positions, 2 numbers for each grain; length is how many numbers there are places for.
-carom_error carom_2d_f64_positions(struct carom_world_2d_f64 *world, double *positions, size_t length);
+//All positions, 2 numbers for each grain, 0 for empty places; length is how many numbers there are places for.
+carom_error carom_2d_f64_positions(struct carom_world_2d_f64 *world,
+                                   double *positions,
+                                   size_t length);
 
-//All velocities, 2 numbers for each grain; length is how many numbers there are places for.
-carom_error carom_2d_f64_velocities(struct carom_world_2d_f64 *world, double *velocities, size_t length);
+//All velocities, 2 numbers for each grain, 0 for empty places; length is how many numbers there are places for.
+carom_error carom_2d_f64_velocities(struct carom_world_2d_f64 *world,
+                                    double *velocities,
+                                    size_t length);
 
 // The kinetic energy, contacts under way counted as if they ended now.
 carom_error carom_2d_f64_kinetic_energy(struct carom_world_2d_f64 *world, double *energy);
@@ -643,6 +703,13 @@ carom_error carom_3d_f64_set_contact_time(struct carom_world_3d_f64 *world, doub
 // In how many steps the shortest contact of several grains is integrated: from 8 to 4096, by default 32.
 carom_error carom_3d_f64_set_steps_per_contact(struct carom_world_3d_f64 *world, uint32_t steps);
 
+// CAROM_MODE_INTEGRATED, the default, or CAROM_MODE_PAPER, if the library has it.
+carom_error carom_3d_f64_set_mode(struct carom_world_3d_f64 *world, int32_t mode);
+
+// So many empty places, behind the grains so far, for grains that are inserted while time passes. Of the
+// places that create was told of.
+carom_error carom_3d_f64_add_empty_places(struct carom_world_3d_f64 *world, uint32_t places);
+
 // One grain more. Grains are numbered from 0 in the order in which they are added.
 carom_error carom_3d_f64_add_grain(struct carom_world_3d_f64 *world, const struct carom_grain_3d_f64 *grain);
 
@@ -654,6 +721,17 @@ carom_error carom_3d_f64_start(struct carom_world_3d_f64 *world);
 carom_error carom_3d_f64_set_velocity(struct carom_world_3d_f64 *world,
                                       uint32_t index,
                                       const double *velocity);
+
+// One grain more, now, in the first empty place, whose number index is: CAROM_ERROR_FULL without one,
+// CAROM_ERROR_OVERLAP where another body is. Its radius is at most the largest at the start.
+carom_error carom_3d_f64_insert_grain(struct carom_world_3d_f64 *world,
+                                      const struct carom_grain_3d_f64 *grain,
+                                      uint32_t *index);
+
+// Takes a grain out, now; grain is what it was. Its place is empty: the others keep their numbers.
+carom_error carom_3d_f64_remove_grain(struct carom_world_3d_f64 *world,
+                                      uint32_t index,
+                                      struct carom_grain_3d_f64 *grain);
 
 // Everything up to this time happens, and it becomes the present.
 carom_error carom_3d_f64_advance_to(struct carom_world_3d_f64 *world, double time);
@@ -678,19 +756,23 @@ carom_error carom_3d_f64_time(struct carom_world_3d_f64 *world, double *time);
 // Nothing happens before this time: one can sleep until then. Infinite if nothing will ever happen.
 carom_error carom_3d_f64_next_event_time(struct carom_world_3d_f64 *world, double *time);
 
-// How many grains there are.
+// How many grains there are, empty places included: an array of so many holds something of each.
 carom_error carom_3d_f64_count(struct carom_world_3d_f64 *world, uint32_t *count);
 
-// A grain as it is now.
+// A grain as it is now; CAROM_ERROR_INDEX for an empty place.
 carom_error carom_3d_f64_grain(struct carom_world_3d_f64 *world,
                                uint32_t index,
                                struct carom_grain_3d_f64 *grain);
 
-//All positions, 3 numbers for each grain; length is how many numbers there are places for.
-carom_error carom_3d_f64_positions(struct carom_world_3d_f64 *world, double *positions, size_t length);
+//All positions, 3 numbers for each grain, 0 for empty places; length is how many numbers there are places for.
+carom_error carom_3d_f64_positions(struct carom_world_3d_f64 *world,
+                                   double *positions,
+                                   size_t length);
 
-//All velocities, 3 numbers for each grain; length is how many numbers there are places for.
-carom_error carom_3d_f64_velocities(struct carom_world_3d_f64 *world, double *velocities, size_t length);
+//All velocities, 3 numbers for each grain, 0 for empty places; length is how many numbers there are places for.
+carom_error carom_3d_f64_velocities(struct carom_world_3d_f64 *world,
+                                    double *velocities,
+                                    size_t length);
 
 // The kinetic energy, contacts under way counted as if they ended now.
 carom_error carom_3d_f64_kinetic_energy(struct carom_world_3d_f64 *world, double *energy);

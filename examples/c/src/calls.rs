@@ -2,10 +2,10 @@
 
 use crate::error::carom_error;
 use crate::held::{Held, State};
-use crate::law::{Law, Number, soft};
+use crate::law::{AnyRule, Law, Mode, Number, soft};
 use crate::types::carom_event;
 use carom::error::Subject;
-use carom::law::{HardSphere, IntegratedMode, LinearDashpot, Viscoelastic};
+use carom::law::{HardSphere, LinearDashpot, Viscoelastic};
 use carom::space::{Plane, Surface, Vibration};
 use carom::world::WorldBuilder;
 use carom::{Error, Grain, Instant, World};
@@ -13,7 +13,7 @@ use carom::{Error, Grain, Instant, World};
 /// What a call comes to.
 pub type Told<T = ()> = Result<T, carom_error>;
 
-type Described<S, const D: usize> = WorldBuilder<'static, S, D, crate::held::AnyLaw<S>>;
+type Described<S, const D: usize> = WorldBuilder<'static, S, D, AnyRule<S>>;
 
 /// What every call can answer: see [`carom_error`].
 impl<S: Number, const D: usize> Held<S, D> {
@@ -26,8 +26,20 @@ impl<S: Number, const D: usize> Held<S, D> {
     }
 
     fn set_law(&mut self, law: Law<S>) -> Told {
-        self.describe(|world| world.set_rule(IntegratedMode(law)))?;
-        self.law = law;
+        let rule = AnyRule { law, ..self.rule };
+        self.describe(|world| world.set_rule(rule))?;
+        self.rule = rule;
+        Ok(())
+    }
+
+    /// What becomes of contacts that last or crowd, under the law that there is or that will be chosen.
+    pub fn set_mode(&mut self, mode: i32) -> Told {
+        self.builder()?;
+        let rule = AnyRule { mode: Mode::of(mode)?, ..self.rule };
+        if !matches!(rule.law, Law::Missing) {
+            self.describe(|world| world.set_rule(rule))?;
+        }
+        self.rule = rule;
         Ok(())
     }
 
@@ -92,6 +104,31 @@ impl<S: Number, const D: usize> Held<S, D> {
         self.describe(|world| world.add_grain(grain)).map(drop)
     }
 
+    /// So many empty places for grains that come later.
+    pub fn add_empty_places(&mut self, places: u32) -> Told {
+        let free = self.layout.grains.saturating_sub(self.builder()?.count());
+        let full =
+            Error::Full { knob: "the places for grains of create", capacity: self.layout.grains };
+        if places as usize > free {
+            return self.note(Err(full));
+        }
+        self.describe(|world| world.add_empty_places(places as usize))
+    }
+
+    /// One grain more in the first empty place, while time passes; its number.
+    pub fn insert_grain(&mut self, grain: Grain<S, D>) -> Told<u32> {
+        // There are as many places as a number of 32 bits has said.
+        self.run(|world| world.add(grain)).map(|number| number as u32)
+    }
+
+    /// Takes a grain out; what it was.
+    pub fn remove_grain(&mut self, index: u32) -> Told<Grain<S, D>> {
+        if self.world()?.grain(index as usize).is_none() {
+            return Err(carom_error::CAROM_ERROR_INDEX);
+        }
+        self.run(|world| world.remove(index as usize))
+    }
+
     /// From now on time passes.
     pub fn start(&mut self) -> Told {
         self.describe(WorldBuilder::check)?;
@@ -105,7 +142,7 @@ impl<S: Number, const D: usize> Held<S, D> {
 
     fn run<T>(
         &mut self,
-        call: impl FnOnce(&mut World<'static, S, D, crate::held::AnyLaw<S>>) -> Result<T, Error>,
+        call: impl FnOnce(&mut World<'static, S, D, AnyRule<S>>) -> Result<T, Error>,
     ) -> Told<T> {
         let told = call(self.world()?);
         self.note(told)

@@ -64,25 +64,19 @@ codes! {
     CAROM_ERROR_NOT_FINITE = 17,
     /// The time asked for lies in the past.
     CAROM_ERROR_PAST = 18,
+    /// A number does not fit the fixed-point type. No world of this library has one.
+    CAROM_ERROR_OVERFLOW = 19,
+    /// The library was built without this mode, or there is none of this number.
+    CAROM_ERROR_MODE = 20,
     /// Another error: the text says which.
-    CAROM_ERROR_OTHER = 19,
+    CAROM_ERROR_OTHER = 21,
 }
 
-/// The code of an error of the engine.
+/// The code of an error of the engine: the engine's own number.
 #[must_use]
 pub fn code(error: &Error) -> carom_error {
-    match error {
-        Error::Input { .. } => carom_error::CAROM_ERROR_INPUT,
-        Error::Full { .. } => carom_error::CAROM_ERROR_FULL,
-        Error::Overlap { .. } => carom_error::CAROM_ERROR_OVERLAP,
-        Error::OutsideTable { .. } => carom_error::CAROM_ERROR_OUTSIDE_TABLE,
-        Error::LongContact { .. } => carom_error::CAROM_ERROR_LONG_CONTACT,
-        Error::InvalidOutcome { .. } => carom_error::CAROM_ERROR_OUTCOME,
-        Error::Stuck { .. } => carom_error::CAROM_ERROR_STUCK,
-        Error::NotFinite { .. } => carom_error::CAROM_ERROR_NOT_FINITE,
-        Error::Past { .. } => carom_error::CAROM_ERROR_PAST,
-        _ => carom_error::CAROM_ERROR_OTHER,
-    }
+    let number = usize::from(error.code());
+    CODES.get(number).copied().unwrap_or(carom_error::CAROM_ERROR_OTHER)
 }
 
 /// The code of what a call came to.

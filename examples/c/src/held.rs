@@ -1,22 +1,18 @@
 //! What lies at the start of the caller's memory? The world, its law and its last error; reads a pointer to it.
 
 use crate::error::{carom_error, code};
-use crate::law::{Law, Number};
+use crate::law::{AnyRule, Number};
 use crate::memory::{ALIGNMENT, Layout, is_aligned};
 use crate::pointer::check;
-use carom::law::IntegratedMode;
 use carom::world::WorldBuilder;
 use carom::{Error, World};
-
-/// The rule of every world.
-pub type AnyLaw<S> = IntegratedMode<Law<S>>;
 
 /// How far a world has come.
 pub enum State<S: Number, const D: usize> {
     /// It is being described.
-    Described(WorldBuilder<'static, S, D, AnyLaw<S>>),
+    Described(WorldBuilder<'static, S, D, AnyRule<S>>),
     /// It runs.
-    Started(World<'static, S, D, AnyLaw<S>>),
+    Started(World<'static, S, D, AnyRule<S>>),
     /// It ended in the middle of a call that was not to fail.
     Lost,
 }
@@ -27,7 +23,7 @@ pub enum State<S: Number, const D: usize> {
 pub struct Held<S: Number, const D: usize> {
     sign: u32,
     /// What grains do when they touch.
-    pub law: Law<S>,
+    pub rule: AnyRule<S>,
     /// How far it has come.
     pub state: State<S, D>,
     /// The last error of the engine.
@@ -70,10 +66,10 @@ impl<S: Number, const D: usize> Held<S, D> {
         }
         // SAFETY: there are as many bytes, aligned, and the caller's promise.
         let arrays = unsafe { layout.arrays(memory) };
-        let law = Law::Missing;
-        let builder = World::builder_with(arrays).rule(IntegratedMode(law));
+        let rule = AnyRule::EMPTY;
+        let builder = World::builder_with(arrays).rule(rule);
         let state = State::Described(builder);
-        let held = Self { sign: Self::SIGN, law, state, error: None, layout };
+        let held = Self { sign: Self::SIGN, rule, state, error: None, layout };
         let place = memory.cast::<Self>();
         // SAFETY: the layout begins with a place for it.
         unsafe { place.write(held) };
@@ -113,7 +109,7 @@ impl<S: Number, const D: usize> Held<S, D> {
     ///
     /// # Errors
     /// [`carom_error::CAROM_ERROR_STARTED`].
-    pub fn builder(&mut self) -> Result<&mut WorldBuilder<'static, S, D, AnyLaw<S>>, carom_error> {
+    pub fn builder(&mut self) -> Result<&mut WorldBuilder<'static, S, D, AnyRule<S>>, carom_error> {
         match &mut self.state {
             State::Described(builder) => Ok(builder),
             _ => Err(carom_error::CAROM_ERROR_STARTED),
@@ -124,7 +120,7 @@ impl<S: Number, const D: usize> Held<S, D> {
     ///
     /// # Errors
     /// [`carom_error::CAROM_ERROR_NOT_STARTED`].
-    pub fn world(&mut self) -> Result<&mut World<'static, S, D, AnyLaw<S>>, carom_error> {
+    pub fn world(&mut self) -> Result<&mut World<'static, S, D, AnyRule<S>>, carom_error> {
         match &mut self.state {
             State::Started(world) => Ok(world),
             _ => Err(carom_error::CAROM_ERROR_NOT_STARTED),

@@ -5,8 +5,8 @@ use carom::error::Subject;
 use carom::law::embedded::read::Table;
 use carom::law::embedded::{Compact, TableSet};
 use carom::law::{
-    Answer, ContactForce, ForceLaw, HardSphere, Impact, LinearDashpot, Outside, Response, Rule,
-    Soft, Viscoelastic,
+    Answer, ContactForce, Enduring, ForceLaw, HardSphere, Impact, LinearDashpot, Outside, Response,
+    Rule, Soft, Viscoelastic,
 };
 use carom::{Error, Scalar};
 
@@ -26,6 +26,79 @@ pub enum Law<S: Scalar> {
     Linear(Soft<LinearDashpot<S>>),
     /// Viscoelastic spheres.
     Viscoelastic(Soft<Viscoelastic<S>>),
+}
+
+/// The default: contacts that last or crowd are integrated.
+pub const CAROM_MODE_INTEGRATED: i32 = 0;
+/// The papers' mode: one contact of two after the other, grains at rest by rules. The library has it if it was built with
+/// it (feature paper): 30 KB of flash more.
+pub const CAROM_MODE_PAPER: i32 = 1;
+
+/// What becomes of contacts that last or crowd.
+#[derive(Clone, Copy, Debug)]
+pub enum Mode {
+    /// They are integrated.
+    Integrated,
+    /// The papers' way.
+    #[cfg(feature = "paper")]
+    Paper,
+}
+
+impl Mode {
+    /// The mode of this number.
+    ///
+    /// # Errors
+    /// [`carom_error::CAROM_ERROR_MODE`].
+    pub fn of(number: i32) -> Result<Self, carom_error> {
+        match number {
+            CAROM_MODE_INTEGRATED => Ok(Self::Integrated),
+            #[cfg(feature = "paper")]
+            CAROM_MODE_PAPER => Ok(Self::Paper),
+            _ => Err(carom_error::CAROM_ERROR_MODE),
+        }
+    }
+}
+
+/// The rule of every world.
+#[derive(Clone, Copy, Debug)]
+pub struct AnyRule<S: Scalar> {
+    /// What happens when two touch.
+    pub law: Law<S>,
+    /// What becomes of contacts that last or crowd.
+    pub mode: Mode,
+}
+
+impl<S: Scalar> AnyRule<S> {
+    /// Nobody has chosen a law.
+    pub const EMPTY: Self = Self { law: Law::Missing, mode: Mode::Integrated };
+}
+
+impl<S: Scalar> Rule<S> for AnyRule<S> {
+    // Inlined: where there is one mode only, there is no code for the other.
+    #[inline(always)]
+    fn enduring(&self) -> Option<Enduring> {
+        Some(match self.mode {
+            Mode::Integrated => Enduring::Integrated,
+            #[cfg(feature = "paper")]
+            Mode::Paper => Enduring::Paper,
+        })
+    }
+
+    fn collide(&self, impact: &Impact<S>) -> Answer<S> {
+        self.law.collide(impact)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        self.law.check()
+    }
+
+    fn force(&self, impact: &Impact<S>, overlap: S) -> Option<ContactForce<S>> {
+        self.law.force(impact, overlap)
+    }
+
+    fn contact_time(&self, impact: &Impact<S>, overlap: S) -> Option<S> {
+        self.law.contact_time(impact, overlap)
+    }
 }
 
 /// A number type that has tables, in `f32`.

@@ -3,7 +3,7 @@
 use crate::law::Number;
 use carom::particle::{Body, Index, Partner};
 use carom::space::{Link, MAX_PLANES, Plane};
-use carom::world::{Buffers, ScheduledEvent, Storage as _};
+use carom::world::{Buffers, ObstacleBuffers, RotationBuffers, ScheduledEvent, Storage as _};
 use carom::{Memory, Vector};
 use core::slice;
 
@@ -90,6 +90,9 @@ impl Layout {
                 planes: filled(start.add(self.planes), self.plane_places, vacant.planes),
                 accelerations: filled(start.add(self.accelerations), grains, vacant.accelerations),
                 calendar: &mut [],
+                rotation: RotationBuffers::default(),
+                contacts: &mut [],
+                obstacles: ObstacleBuffers::default(),
             }
         }
     }

@@ -3,11 +3,10 @@
 use crate::calls::Told;
 use crate::error::carom_error;
 use crate::held::{Held, State};
-use crate::law::{Law, Number};
+use crate::law::{AnyRule, Number};
 use crate::memory::ALIGNMENT;
 use crate::pointer::check;
 use carom::World;
-use carom::law::IntegratedMode;
 use carom::particle::Body;
 use carom::world::{ScheduledEvent, Snapshot};
 use core::{ptr, slice};
@@ -17,7 +16,7 @@ use core::{ptr, slice};
 #[cfg_attr(not(target_pointer_width = "64"), repr(align(8)))]
 pub struct Saved<S: Number, const D: usize> {
     sign: u32,
-    law: Law<S>,
+    rule: AnyRule<S>,
     grains: usize,
     planes: usize,
     state: Snapshot<S, D, (), ()>,
@@ -74,7 +73,7 @@ impl<S: Number, const D: usize> Held<S, D> {
         if memory.addr() % ALIGNMENT != 0 {
             return Err(carom_error::CAROM_ERROR_MISALIGNED);
         }
-        let law = self.law;
+        let rule = self.rule;
         let world = self.world()?;
         let (grains, planes) = (world.view().len(), world.view().boundary().planes().len());
         let [bodies, events, end] = Saved::<S, D>::places(grains);
@@ -92,7 +91,7 @@ impl<S: Number, const D: usize> Held<S, D> {
             ptr::copy_nonoverlapping(from_events.as_ptr(), to, grains);
         }
         let state = saved.kept_in((), ());
-        let saved = Saved { sign: Saved::<S, D>::SIGN, law, grains, planes, state };
+        let saved = Saved { sign: Saved::<S, D>::SIGN, rule, grains, planes, state };
         // SAFETY: the places begin with one for it.
         unsafe { memory.cast::<Saved<S, D>>().write(saved) };
         Ok(())
@@ -121,9 +120,9 @@ impl<S: Number, const D: usize> Held<S, D> {
         self.state = State::Lost;
         // SAFETY: `create` has laid out the memory so.
         let arrays = unsafe { self.layout.arrays(start) };
-        let restored = World::restore_with(arrays, IntegratedMode(kept.law), &snapshot);
+        let restored = World::restore_with(arrays, kept.rule, &snapshot);
         self.state = State::Started(self.note(restored)?);
-        self.law = kept.law;
+        self.rule = kept.rule;
         Ok(())
     }
 }

@@ -2,12 +2,15 @@
 #![allow(clippy::undocumented_unsafe_blocks, reason = "every call is one, on a world made here")]
 
 use carom::law::embedded::Compact;
-use carom::law::{HardSphere, IntegratedMode, LinearDashpot, Outside, Rule, Soft, Viscoelastic};
+use carom::law::{
+    HardSphere, IntegratedMode, LinearDashpot, Outside, PaperMode, Rule, Soft, Viscoelastic,
+};
 use carom::space::{Plane, Surface, Vibration};
 use carom::{Grain, Memory, World};
 use carom_c::error::carom_error::*;
 use carom_c::error::{CODES, carom_error, carom_error_meaning, carom_error_name};
 use carom_c::export::*;
+use carom_c::law::{CAROM_MODE_INTEGRATED, CAROM_MODE_PAPER};
 use carom_c::types::{CAROM_NOBODY, carom_event, carom_event_kind};
 use std::ffi::{CStr, c_char};
 use std::mem::{MaybeUninit, size_of};
@@ -149,6 +152,77 @@ fn viscoelastic_grains_are_the_engines() {
     same(Soft::viscoelastic(law, Outside::HardSphere), |world| unsafe {
         carom_2d_f64_set_viscoelastic(world, 1.0e6, 0.4, 1.0e-3, 1)
     });
+}
+
+#[test]
+#[cfg(feature = "paper")]
+fn the_papers_mode_is_the_engines() {
+    let law = LinearDashpot { stiffness: 2.0e4, damping: 20.0 };
+    same(PaperMode(Soft::embedded(law, Compact, Outside::HardSphere)), |world| unsafe {
+        ok(carom_2d_f64_set_mode(world, CAROM_MODE_PAPER));
+        carom_2d_f64_set_linear_dashpot(world, 2.0e4, 20.0, 0)
+    });
+    // The law first, and a mode that is taken back.
+    same(PaperMode(HardSphere { restitution: 0.8 }), |world| unsafe {
+        ok(carom_2d_f64_set_restitution(world, 0.8));
+        ok(carom_2d_f64_set_mode(world, CAROM_MODE_PAPER));
+        assert_eq!(carom_2d_f64_set_mode(world, 2), CAROM_ERROR_MODE);
+        ok(carom_2d_f64_set_mode(world, CAROM_MODE_INTEGRATED));
+        carom_2d_f64_set_mode(world, CAROM_MODE_PAPER)
+    });
+}
+
+#[test]
+fn grains_come_and_go_as_in_the_engine() {
+    let (mut memory, mut given) = (Memory::<f64, 2, 16>::new(), Given::new());
+    let rule = IntegratedMode(HardSphere { restitution: 0.8 });
+    let mut own = World::builder(&mut memory)
+        .walls([[0.0, 3.0], [0.0, 3.0]])
+        .rule(rule)
+        .grains((0..8).map(bead))
+        .unwrap()
+        .reserve(1)
+        .unwrap()
+        .start()
+        .unwrap();
+    let (mut world, mut index, mut count) = (ptr::null_mut(), u32::MAX, 0);
+    unsafe {
+        ok(carom_2d_f64_create(given.start(), 8192, 9, 4, &mut world));
+        ok(carom_2d_f64_set_restitution(world, 0.8));
+        ok(carom_2d_f64_add_walls(world, [0.0; 2].as_ptr(), [3.0; 2].as_ptr()));
+        (0..8).for_each(|k| ok(carom_2d_f64_add_grain(world, &bead(k).into())));
+        let mut taken = bead(0).into();
+        assert_eq!(carom_2d_f64_remove_grain(world, 3, &mut taken), CAROM_ERROR_NOT_STARTED);
+        assert_eq!(carom_2d_f64_add_empty_places(world, 2), CAROM_ERROR_FULL);
+        ok(carom_2d_f64_count(world, &mut count));
+        assert_eq!(count, 8);
+        ok(carom_2d_f64_add_empty_places(world, 1));
+        ok(carom_2d_f64_start(world));
+        assert_eq!(carom_2d_f64_grain(world, 8, &mut taken), CAROM_ERROR_INDEX);
+        let (on_another, new) = (bead(4), Grain { radius: 0.25, ..bead(8) });
+        assert_eq!(
+            carom_2d_f64_insert_grain(world, &on_another.into(), &mut index),
+            CAROM_ERROR_OVERLAP
+        );
+        assert_eq!(
+            carom_2d_f64_insert_grain(world, &new.into(), ptr::null_mut()),
+            CAROM_ERROR_NULL
+        );
+        assert_eq!((index, digest(world)), (u32::MAX, own.digest()));
+        ok(carom_2d_f64_insert_grain(world, &new.into(), &mut index));
+        assert_eq!((index as usize, Ok(8)), (8, own.add(new)));
+        assert_eq!(carom_2d_f64_insert_grain(world, &new.into(), &mut index), CAROM_ERROR_FULL);
+        own.advance_to(END).unwrap();
+        ok(carom_2d_f64_advance_to(world, END));
+        assert_eq!(digest(world), own.digest());
+        assert_eq!(carom_2d_f64_remove_grain(world, 3, ptr::null_mut()), CAROM_ERROR_NULL);
+        ok(carom_2d_f64_remove_grain(world, 3, &mut taken));
+        assert_eq!(taken, own.remove(3).unwrap().into());
+        assert_eq!(carom_2d_f64_remove_grain(world, 3, &mut taken), CAROM_ERROR_INDEX);
+        own.advance_to(2.0 * END).unwrap();
+        ok(carom_2d_f64_advance_to(world, 2.0 * END));
+        assert_eq!(digest(world), own.digest());
+    }
 }
 
 #[test]

@@ -16,12 +16,24 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The tilt box must fit into a micro:bit. All scenes with all tables in three number types do not, nor does
     // the force-based run beside the other.
     let board = if small { MICROBIT } else { MPS2 };
-    let images = [("replay", MPS2), ("tilt_box", board), ("measure", MPS2), ("heap", MPS2)];
+    let images = [
+        ("replay", MPS2),
+        ("tilt_box", board),
+        ("measure", MPS2),
+        ("heap", MPS2),
+        ("frames", MPS2),
+        ("hourglass", MPS2),
+        ("rough_box", MPS2),
+        ("smallest", board),
+        ("smallest_heap", board),
+    ];
     for (image, memory) in images {
         let directory = out.join(image);
         std::fs::create_dir_all(&directory)?;
         std::fs::write(directory.join("memory.x"), memory)?;
         println!("cargo::rustc-link-arg-bin={image}=-L{}", directory.display());
     }
+    // Functions with the same code are one.
+    println!("cargo::rustc-link-arg-bins=--icf=all");
     Ok(())
 }

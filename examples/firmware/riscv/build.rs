@@ -19,5 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = PathBuf::from(std::env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?);
     std::fs::write(out.join("memory.x"), MEMORY)?;
     println!("cargo::rustc-link-search={}", out.display());
+    // Functions with the same code are one.
+    println!("cargo::rustc-link-arg-bins=--icf=all");
     Ok(())
 }

@@ -2,10 +2,18 @@
 import { readFile } from "node:fs/promises";
 
 const [path, scene, scalar, from, last] = process.argv.slice(2);
-const scenes = ["fig6", "box16", "gas32", "column10", "heap16", "hard16"];
 const scalars = ["f32", "f64", "I32F32"];
 const { instance } = await WebAssembly.instantiate(await readFile(path));
-const { run, digest } = instance.exports;
+const { run, digest, letter } = instance.exports;
+
+const scenes = [];
+for (let name; (name = nameOf(scenes.length)) !== ""; ) scenes.push(name);
+
+function nameOf(scene) {
+  const letters = [];
+  for (let code; (code = letter(scene, letters.length)) !== 0; ) letters.push(String.fromCharCode(code));
+  return letters.join("");
+}
 
 function print(scene, scalar, from, last, every) {
   const count = run(scenes.indexOf(scene), scalars.indexOf(scalar), from, last, every);

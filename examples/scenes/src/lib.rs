@@ -6,14 +6,17 @@
 #![no_std]
 
 pub mod heap;
+#[cfg(feature = "obstacles")]
+pub mod hourglass;
 pub mod largest;
 pub mod measure;
-#[cfg(feature = "plates")]
+#[cfg(all(feature = "plates", feature = "obstacles"))]
 pub mod replay;
+pub mod rough;
 pub mod scene;
 pub mod tilt;
 pub mod time_stepped;
 
-#[cfg(feature = "plates")]
+#[cfg(all(feature = "plates", feature = "obstacles"))]
 pub use replay::EventDigest;
 pub use scene::{Number, Scene};

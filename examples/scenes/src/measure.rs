@@ -1,9 +1,10 @@
 //! How many instructions does the tilt box take? Reads a board's instruction counter; writes what each method took.
 
+use carom::law::Rule;
 use carom::law::embedded::read::{Groups, Table};
-use carom::{Error, Grain, Storage};
+use carom::{Error, Grain, Scalar, Storage, World};
 
-use crate::scene::{Number, n};
+use crate::scene::{Number, gas_in, n};
 use crate::tilt::{self, BETWEEN_READINGS, Board, GRAINS, READINGS, tilt_box, tilt_box_begun};
 use crate::time_stepped::TimeStepped;
 
@@ -59,7 +60,7 @@ fn run<S: Number>(
     faster: f64,
     board: &mut impl Board,
 ) -> Result<Cost, Error> {
-    let mut world = tilt_box_begun(memory, table, n(faster))?;
+    let mut world = tilt_box_begun(memory, table, (GRAINS as u32, n(faster)))?;
     let start = board.instructions();
     for reading in 0..readings {
         world.set_gravity(tilt::accelerometer(reading))?;
@@ -70,6 +71,61 @@ fn run<S: Number>(
     let statistics = world.statistics();
     let collisions = statistics.collisions + statistics.plane_collisions;
     Ok(Cost { instructions, collisions, outside: statistics.hard_sphere, digest: world.digest() })
+}
+
+/// A gas of 32 elastic spheres in a periodic box of so many millimetres, from a lattice: a thousand collisions after
+/// the first two hundred.
+///
+/// # Errors
+/// Any error of the engine.
+#[inline(never)]
+pub fn gas<S: Number>(side: u32, board: &mut impl Board) -> Result<Cost, Error> {
+    let mut memory = carom::Memory::<S, 3, 32, 0, 0, 128>::default();
+    thousand(&mut gas_in(&mut memory, side)?, board)
+}
+
+/// The beads of the tilt box without weight: a gas in two dimensions and four walls, of which they fill a seventh.
+///
+/// # Errors
+/// Any error of the engine.
+#[inline(never)]
+pub fn weightless<S: Number>(
+    table: &'static Table<S::Stored>,
+    board: &mut impl Board,
+) -> Result<Cost, Error> {
+    let mut memory = tilt::memory::<S>();
+    let mut world = tilt_box(&mut memory, table)?;
+    world.set_gravity([S::zero(); 2])?;
+    thousand(&mut world, board)
+}
+
+/// A thousand collisions after the first two hundred.
+fn thousand<S: Scalar, const D: usize, R: Rule<S>>(
+    world: &mut World<'_, S, D, R>,
+    board: &mut impl Board,
+) -> Result<Cost, Error> {
+    let count = |world: &World<'_, S, D, R>| {
+        world.statistics().collisions + world.statistics().plane_collisions
+    };
+    let mut slice = 0;
+    // In slices: the counter is to be asked now and then.
+    let mut collide = |world: &mut World<'_, S, D, R>, most, board: &mut dyn FnMut()| {
+        while count(world) < most {
+            slice += 1;
+            world.advance_to(tilt::instant(slice))?;
+            board();
+        }
+        Ok::<(), Error>(())
+    };
+    collide(world, 200, &mut || ())?;
+    let begun = count(world);
+    let start = board.instructions();
+    collide(world, begun + 1000, &mut || {
+        board.instructions();
+    })?;
+    let instructions = board.instructions() - start;
+    let (collisions, outside) = (count(world) - begun, world.statistics().hard_sphere);
+    Ok(Cost { instructions, collisions, outside, digest: world.digest() })
 }
 
 /// The time steps of MD in a millisecond: 20 to 50 for the contact of two beads. Velocity Verlet then has

@@ -3,6 +3,7 @@
 use carom::law::Rule;
 use carom::{Error, Instant, Memory, Scalar, World};
 
+use crate::hourglass;
 use crate::scene::{self, Number, Scene};
 
 /// The digest of the state after so many events.
@@ -53,6 +54,8 @@ pub fn replay<S: Number>(scene: Scene) -> Run {
         Scene::Column10 => column10::<S>,
         Scene::Heap16 => heap16::<S>,
         Scene::Hard16 => hard16::<S>,
+        Scene::Rough16 => rough16::<S>,
+        Scene::Hourglass16 => hourglass16::<S>,
     }
 }
 
@@ -126,6 +129,30 @@ pub fn hard16<S: Number>(
 ) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 16>::new();
     turning(&mut scene::hard16(&mut memory)?, selection, report)
+}
+
+/// Runs [`Scene::Rough16`] and reports the digests.
+///
+/// # Errors
+/// As [`fig6`].
+pub fn rough16<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
+    let mut memory = scene::rough_box::<S>();
+    turning(&mut scene::rough16(&mut memory)?, selection, report)
+}
+
+/// Runs [`Scene::Hourglass16`] and reports the digests.
+///
+/// # Errors
+/// As [`fig6`].
+pub fn hourglass16<S: Number>(
+    selection: Selection,
+    report: &mut dyn FnMut(EventDigest),
+) -> Result<(), Error> {
+    let mut memory = hourglass::roofed::<S>();
+    turning(&mut hourglass::hourglass16(&mut memory)?, selection, report)
 }
 
 /// Steps through all events.

@@ -3,12 +3,15 @@
 use carom::law::embedded::read::{Law, StoredNumber, Table};
 use carom::law::embedded::{Compact, Standard, TableSet, wide};
 use carom::law::{
-    HardSphere, IntegratedMode, LinearDashpot, Outside, PaperMode, Rule, Soft, Viscoelastic,
+    HardSphere, IntegratedMode, LinearDashpot, Outside, PaperMode, Rough, Rule, Soft, Tangential,
+    Viscoelastic,
 };
 use carom::scalar::I32F32;
+use carom::space::ContactState;
 #[cfg(feature = "plates")]
 use carom::space::{Plane, Surface, Vibration};
-use carom::{Enduring, Error, Grain, Scalar, Storage, World};
+use carom::world::{Rotating, WithContacts};
+use carom::{Enduring, Error, Grain, Memory, Scalar, Storage, World};
 
 /// The scenes that every target replays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,12 +28,24 @@ pub enum Scene {
     Heap16,
     /// The same of hard grains, which fall asleep between two turns.
     Hard16,
+    /// [`Scene::Hard16`] of rough grains, which roll, slide and stick.
+    Rough16,
+    /// Sixteen hard grains in an hourglass of segments, which turns by a quarter now and then.
+    Hourglass16,
 }
 
 impl Scene {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::Fig6, Self::Box16, Self::Gas32, Self::Column10, Self::Heap16, Self::Hard16];
+    pub const ALL: [Self; 8] = [
+        Self::Fig6,
+        Self::Box16,
+        Self::Gas32,
+        Self::Column10,
+        Self::Heap16,
+        Self::Hard16,
+        Self::Rough16,
+        Self::Hourglass16,
+    ];
 
     /// Its name in the golden file.
     #[must_use]
@@ -42,6 +57,8 @@ impl Scene {
             Self::Column10 => "column10",
             Self::Heap16 => "heap16",
             Self::Hard16 => "hard16",
+            Self::Rough16 => "rough16",
+            Self::Hourglass16 => "hourglass16",
         }
     }
 }
@@ -163,6 +180,30 @@ pub fn hard16<S: Number>(
     boxed(memory, IntegratedMode(HardSphere { restitution: n(0.5) }))
 }
 
+/// Hard spheres with rough surfaces.
+pub type Rough16<S> = IntegratedMode<Rough<HardSphere<S>, S>>;
+
+/// Memory for sixteen of them.
+pub type RoughBox<S> = Rotating<WithContacts<Memory<S, 2, 16>, [ContactState<S>; 80]>, [S; 16]>;
+
+/// That memory, empty.
+#[must_use]
+pub fn rough_box<S: Scalar>() -> RoughBox<S> {
+    let memory = WithContacts::new(Memory::new(), [ContactState::VACANT; 80]);
+    Rotating::new(memory, [[S::zero(); 16]; 3])
+}
+
+/// The same of rough grains.
+///
+/// # Errors
+/// None unless the memory is too small.
+pub fn rough16<S: Number>(
+    memory: &mut impl Storage<S, 2>,
+) -> Result<World<'_, S, 2, Rough16<S>>, Error> {
+    let tangential = Tangential::Walton { mu: n(0.5), beta_0: n(0.3) };
+    boxed(memory, IntegratedMode(Rough::spheres(HardSphere { restitution: n(0.5) }, tangential)))
+}
+
 /// One of sixteen grains of 0.7 to 1.3 mm, on a lattice in a box of 12 mm.
 pub(crate) fn sixteen<S: Scalar>(k: u32) -> Grain<S, 2> {
     let (column, row, odd) = (f64::from(k % 4), f64::from(k / 4), f64::from(k * 7 % 16));
@@ -204,14 +245,27 @@ pub fn turned<S: Scalar>(quarters: u32) -> [S; 2] {
 pub fn gas32<S: Number>(
     memory: &mut impl Storage<S, 3>,
 ) -> Result<World<'_, S, 3, Rubber<S>>, Error> {
+    gas_in(memory, 16)
+}
+
+/// The same in a periodic box of so many millimetres, of which they fill 134/side³: at 24 mm a hundredth.
+///
+/// # Errors
+/// None unless the memory is too small.
+#[inline(never)]
+pub fn gas_in<S: Number>(
+    memory: &mut impl Storage<S, 3>,
+    side: u32,
+) -> Result<World<'_, S, 3, Rubber<S>>, Error> {
     let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.0) };
+    let part = f64::from(side) / 8.0;
     let site = |k: u32| {
-        let at = [k % 4, k / 4 % 4, k / 16].map(|i| 2.0 + 4.0 * f64::from(i));
+        let at = [k % 4, k / 4 % 4, k / 16].map(|i| part * (1.0 + 2.0 * f64::from(i)));
         grain(1.0, at, [5, 11, 3].map(|prime| 0.02 * (f64::from(k * prime % 32) - 15.5)))
     };
     World::builder(memory)
         .enduring(Enduring::Paper)
-        .periodic([v([0.0, 16.0]); 3])
+        .periodic([[n(0.0), S::from_count(side)]; 3])
         .rule(Soft::with_table(law, S::standard(), Outside::HardSphere))
         .grains((0..32).map(site))?
         .start()

@@ -53,8 +53,8 @@ fn glass<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
     Soft::with_table(law, table, Outside::HardSphere)
 }
 
-/// The memory of the tilt box: its grains, its four walls, and twice as many cells.
-pub type Box32<S> = Memory<S, 2, GRAINS, 4, 0, { 2 * GRAINS }>;
+/// The memory of the tilt box: its grains, its four walls, and three times as many cells: nearly as fine as the beads.
+pub type Box32<S> = Memory<S, 2, GRAINS, 4, 0, { 3 * GRAINS }>;
 
 /// Memory for the tilt box.
 ///
@@ -76,10 +76,11 @@ pub fn tilt_box<'m, S: Number>(
     memory: &'m mut impl Storage<S, 2>,
     table: &'static Table<S::Stored>,
 ) -> Result<World<'m, S, 2, PaperMode<Rubber<S>>>, Error> {
-    tilt_box_begun(memory, table, S::one())
+    tilt_box_begun(memory, table, (GRAINS as u32, S::one()))
 }
 
-/// The tilt box whose grains begin so many times as fast: another trajectory of the same box.
+/// The tilt box of so many beads, as high as they need, that begin so many times as fast: another trajectory of the
+/// same box.
 ///
 /// # Errors
 /// As [`tilt_box`].
@@ -87,7 +88,7 @@ pub fn tilt_box<'m, S: Number>(
 pub fn tilt_box_begun<'m, S: Number>(
     memory: &'m mut impl Storage<S, 2>,
     table: &'static Table<S::Stored>,
-    faster: S,
+    (beads, faster): (u32, S),
 ) -> Result<World<'m, S, 2, PaperMode<Rubber<S>>>, Error> {
     let begun = |k| {
         let mut grain = site::<S>(k);
@@ -95,10 +96,10 @@ pub fn tilt_box_begun<'m, S: Number>(
         grain
     };
     World::builder(memory)
-        .walls([[S::zero(), S::from_count(SIDE)]; 2])
+        .walls([SIDE, 4 * beads.div_ceil(6)].map(|side| [S::zero(), S::from_count(side)]))
         .gravity(accelerometer(0))
         .rule(PaperMode(glass(table)))
-        .grains((0..GRAINS as u32).map(begun))?
+        .grains((0..beads).map(begun))?
         .start()
 }
 
@@ -106,6 +107,16 @@ pub fn tilt_box_begun<'m, S: Number>(
 /// once. From one reading to the next it turns by a 32nd.
 #[must_use]
 pub fn accelerometer<S: Scalar>(reading: u32) -> [S; 2] {
+    turned(match reading % 56 {
+        rocked @ 0..6 => rocked,
+        rocked @ 6..18 => 32 + 12 - rocked,
+        rocked => rocked + 8,
+    })
+}
+
+/// Gravity in a box that has been turned by so many 32nds.
+#[must_use]
+pub fn turned<S: Scalar>(turn: u32) -> [S; 2] {
     // Gravity along an axis at 0, 11.25, ... 90 degrees.
     const SINE: [f32; 9] = [
         0.0,
@@ -123,11 +134,6 @@ pub fn accelerometer<S: Scalar>(reading: u32) -> [S; 2] {
         let value = SINE.get(part.min(16 - part)).copied().unwrap_or(0.0);
         let value = S::from_f32(value) * n(GRAVITY);
         if turn % 32 < 16 { value } else { -value }
-    };
-    let turn = match reading % 56 {
-        rocked @ 0..6 => rocked,
-        rocked @ 6..18 => 32 + 12 - rocked,
-        rocked => rocked + 8,
     };
     [sine(turn), -sine(turn + 8)]
 }
@@ -188,7 +194,7 @@ pub fn frame<S: Scalar, R: Rule<S>>(
 }
 
 /// The LED matrix: a lamp is lit where a grain's centre is, brighter where there are two.
-fn show<S: Scalar, R: Rule<S>>(world: &World<'_, S, 2, R>, board: &mut impl Board) {
+pub fn show<S: Scalar, R: Rule<S>>(world: &World<'_, S, 2, R>, board: &mut impl Board) {
     let mut lamps = [[b'.'; LAMPS]; LAMPS];
     for grain in (0..GRAINS).filter_map(|k| world.grain(k)) {
         let lamps_a_millimetre = n::<S>(LAMPS as f64 / f64::from(SIDE));

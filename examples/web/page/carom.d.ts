@@ -7,6 +7,8 @@ export type Vector = ArrayLike<number>;
 
 /** The most grains of a scene: 500. */
 export const MAX_GRAINS: number;
+/** The most segments of a scene's obstacles: 100. */
+export const MAX_SEGMENTS: number;
 
 /** An error of carom, with its own message: it names the field, its value and what would be right. */
 export class CaromError extends Error {}
@@ -60,6 +62,23 @@ export interface Walls {
   restitution?: number;
 }
 
+/** A chain of segments, or a polygon; grains touch it from both sides. */
+export interface Obstacle {
+  points: Vector[];
+  /** Whether the last point is joined to the first. */
+  closed?: boolean;
+  /** Missing: the rule decides. */
+  restitution?: number;
+}
+
+/** Rough grains, which rotate: Walton's rule. */
+export interface Friction {
+  /** The coefficient of friction μ. */
+  mu: number;
+  /** The coefficient of tangential restitution of surfaces that stick, from -1 to 1: 0 by default. */
+  beta0?: number;
+}
+
 export interface SceneOptions {
   /** 2 by default. */
   dimension?: Dimension;
@@ -83,6 +102,10 @@ export interface SceneOptions {
   stepsPerContact?: number;
   rule: Rule;
   grains: Grain[];
+  /** What stands inside, in two dimensions. No axis is periodic then. */
+  obstacles?: Obstacle[];
+  /** In two dimensions; grains are smooth without it. */
+  friction?: Friction;
 }
 
 /** How often everything happened: carom's statistics, and contacts that were integrated. */
@@ -105,6 +128,8 @@ export interface Scene {
   /** `dimension` numbers for each grain; read only. */
   readonly velocities: Float64Array;
   readonly radii: Float64Array;
+  /** The angular velocity of each grain, anticlockwise (1/s), where there are friction or obstacles; else empty. Read only. */
+  readonly rotations: Float64Array;
   /** For each grain 0: in flight, 1: in a contact of two, 2: at rest, 3: in a cluster. */
   readonly states: Uint8Array;
   readonly time: number;
@@ -126,8 +151,8 @@ export interface Scene {
   setGravity(gravity: Vector): void;
 }
 
-/** Loads and compiles the module of a dimension, once. `createScene` does it when needed. */
-export function load(dimension: Dimension): Promise<WebAssembly.Module>;
+/** Loads and compiles the module of a dimension, or of rough grains and obstacles, once. `createScene` does it when needed. */
+export function load(dimension: Dimension, rough?: boolean): Promise<WebAssembly.Module>;
 
 /** Checks and starts a world. @throws {CaromError} */
 export function createScene(options: SceneOptions): Promise<Scene>;

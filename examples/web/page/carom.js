@@ -6,16 +6,18 @@ const FILES = [
   new URL("./carom-line.wasm", import.meta.url),
   new URL("./carom-plane.wasm", import.meta.url),
   new URL("./carom-space.wasm", import.meta.url),
+  // Rough grains among obstacles, in the plane.
+  new URL("./carom-rough.wasm", import.meta.url),
 ];
 const MATERIALS = ["hard", "linear", "viscoelastic"];
 const OUTSIDE = ["reject", "clamp", "hard-sphere", "integrate"];
 const METHODS = ["emd", "emd*"];
 const MODES = ["integrated", "paper"];
-const GRAINS = 0, POSITIONS = 1, VELOCITIES = 2, STATES = 3, STATISTICS = 4, CLOCK = 5, ERROR = 6, NAMES = 7;
+const GRAINS = 0, POSITIONS = 1, VELOCITIES = 2, STATES = 3, STATISTICS = 4, CLOCK = 5, ERROR = 6, NAMES = 7, ROTATIONS = 8;
 const GRAIN_FIELDS = 9;
 
-/** The most grains of a scene. */
-export const MAX_GRAINS = 500;
+/** The most grains of a scene, and the most segments of its obstacles. */
+export const MAX_GRAINS = 500, MAX_SEGMENTS = 100;
 
 /** An error of carom, with its own message. */
 export class CaromError extends Error {
@@ -37,12 +39,13 @@ async function compile(url) {
 /** @type {Map<number, Promise<WebAssembly.Module>>} */
 const modules = new Map();
 
-/** @param {import("./carom.js").Dimension} dimension */
-export function load(dimension) {
-  const url = FILES[dimension - 1];
-  if (!url) throw new CaromError(`dimension is ${dimension}, must be 1, 2 or 3`);
-  let module = modules.get(dimension);
-  if (!module) modules.set(dimension, (module = compile(url)));
+/** @param {import("./carom.js").Dimension} dimension @param {boolean} [rough] */
+export function load(dimension, rough = false) {
+  const number = rough ? 3 : dimension - 1;
+  if (![0, 1, 2].includes(dimension - 1)) throw new CaromError(`dimension is ${dimension}, must be 1, 2 or 3`);
+  if (rough && dimension !== 2) throw new CaromError(`dimension is ${dimension}, must be 2 where there are obstacles or friction`);
+  let module = modules.get(number);
+  if (!module) modules.set(number, (module = compile(FILES[number])));
   return module;
 }
 
@@ -71,6 +74,24 @@ function sides({ sides, restitution }, dimension) {
   );
 }
 
+/** Whether a scene needs the module of rough grains and obstacles. @param {import("./carom.js").SceneOptions} options */
+const isRough = ({ friction, obstacles }) => friction !== undefined || obstacles !== undefined;
+
+/** Friction and obstacles. @param {any} wasm @param {import("./carom.js").SceneOptions} options */
+function describeSurfaces(wasm, { friction, obstacles = [] }) {
+  if (friction) wasm.friction(Number(friction.mu), friction.beta0 ?? 0);
+  const count = obstacles.reduce((sum, { points, closed }) => sum + points.length - (closed ? 0 : 1), 0);
+  if (count > MAX_SEGMENTS) throw new CaromError(`obstacles have ${count} segments, must be at most ${MAX_SEGMENTS}`);
+  for (const [number, { points, closed, restitution }] of obstacles.entries()) {
+    const corners = points.map((point) => vector(`obstacle ${number}: a point`, point, 2));
+    if (closed) corners.push(corners[0]);
+    for (let k = 1; k < corners.length; k++) {
+      const [[ax, ay], [bx, by]] = [corners[k - 1], corners[k]];
+      wasm.facet(ax, ay, bx, by, restitution ?? NaN);
+    }
+  }
+}
+
 /** @param {any} wasm @param {import("./carom.js").SceneOptions} options @param {number} dimension */
 function describe(wasm, options, dimension) {
   for (const p of [...(options.walls ? sides(options.walls, dimension) : []), ...(options.planes ?? [])]) {
@@ -87,6 +108,7 @@ function describe(wasm, options, dimension) {
   const numbers = [[r.restitution], [r.stiffness, r.damping], [r.young, r.poisson, r.dissipation]][material];
   wasm.rule(material, lasting, outside, numbers[0], numbers[1] ?? 0, numbers[2] ?? 0);
   wasm.contacts(indexOf("mode", MODES, options.mode ?? "integrated"), options.contactTime ?? NaN, options.stepsPerContact ?? 0);
+  if (isRough(options)) describeSurfaces(wasm, options);
   wasm.gravity(...vector("gravity", options.gravity ?? [0, 0, 0].slice(0, dimension), dimension));
 }
 
@@ -124,6 +146,7 @@ class Scene {
     this.radii = Float64Array.from(options.grains, (grain) => grain.radius);
     this.positions = numbers(POSITIONS, dimension * count);
     this.velocities = numbers(VELOCITIES, dimension * count);
+    this.rotations = isRough(options) ? numbers(ROTATIONS, count) : new Float64Array();
     this.states = new Uint8Array(wasm.memory.buffer, wasm.address(STATES), count);
     this.#clock = numbers(CLOCK, 3);
     this.#names = this.#text(NAMES).split(",");
@@ -181,6 +204,6 @@ class Scene {
 /** @param {import("./carom.js").SceneOptions} options @returns {Promise<any>} */
 export async function createScene(options) {
   const dimension = options.dimension ?? 2;
-  const instance = await WebAssembly.instantiate(await load(dimension), {});
+  const instance = await WebAssembly.instantiate(await load(dimension, isRough(options)), {});
   return new Scene(instance.exports, options, dimension);
 }

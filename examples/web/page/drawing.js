@@ -19,7 +19,7 @@ export function surface(canvas) {
 
 /** @type {Record<string, string>} */
 let colours = {};
-const NAMES = ["ink", "soft", "faint", "line", "paper", "emd", "star", "md", "cold", "flight", "contact", "cluster", "rest"];
+const NAMES = ["ink", "soft", "faint", "line", "paper", "card", "emd", "star", "md", "cold", "flight", "contact", "cluster", "rest"];
 
 /** Reads the theme's colours anew. */
 export function readColours() {

@@ -1,13 +1,14 @@
-// Which of the three experiments is on the screen? Reads tabs, theme and time; writes a frame of the chosen one, again and again.
+// Which of the four experiments is on the screen? Reads tabs, theme and time; writes a frame of the chosen one, again and again.
 
 import { find } from "./controls.js";
 import { readColours } from "./drawing.js";
 import * as pair from "./pair.js";
 import * as tilt from "./tilt.js";
+import * as hourglass from "./hourglass.js";
 import * as column from "./column.js";
 
 /** @type {Record<string, { start(): Promise<void>, frame(dt: number): void }>} */
-const experiments = { pair, tilt, column };
+const experiments = { pair, tilt, hourglass, column };
 const names = Object.keys(experiments);
 /** Experiments that were opened once. @type {Map<string, Promise<void>>} */
 const started = new Map();

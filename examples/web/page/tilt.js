@@ -1,9 +1,11 @@
 // How do up to 500 grains follow gravity? Reads pointer, keys, the device's tilt and sliders; draws a box of them, 60 times a second.
 
 import { createScene } from "./carom.js";
-import { announcer, button, choice, find, player, setText, slider } from "./controls.js";
-import { arrow, circle, colour, formatNumber, surface } from "./drawing.js";
+import { announcer, button, choice, find, player, slider } from "./controls.js";
+import { arrow, circle, colour, surface } from "./drawing.js";
 import { colouring, count as countMotions, legend } from "./motion.js";
+import { pacer } from "./pacing.js";
+import { spins } from "./spin.js";
 
 const G = 9.81;
 /** The box is 4 m wide: grains of 5 to 8 cm fall through it in a second. */
@@ -12,19 +14,13 @@ const SIDE = 4;
 const COVERED = 0.42;
 /** Steps in a contact of a cluster: as few as carom takes. How long contacts last is carom's own choice. */
 const STEPS = 8;
-/** Milliseconds that events may take in a frame, and in one call. */
-const BUDGET = 9, CALL = 1;
-
 /** @type {import("./carom.js").Scene | undefined} */
 let scene;
 let gravity = [0, -G];
+/** @type {ReturnType<typeof spins> | undefined} */
+let spun;
 let latestRequest = 0, tossed = 0;
-/** Simulated time that has not been computed in time, since the start. */
-let behind = 0;
-/** What an event takes, in milliseconds. */
-let pace = 0.05;
-/** Of the last second: frames, their work and the longest, simulated time and what was due; events before it. */
-const rate = { since: 0, frames: 0, work: 0, longest: 0, simulated: 0, due: 0, before: 0 };
+const pace = pacer("tilt");
 
 /** @type {(seed: number) => () => number} */
 const random = (seed) => () => (seed = (seed * 16807) % 2147483647) / 2147483647;
@@ -46,7 +42,8 @@ function lattice(n) {
 function build(grains) {
   const restitution = controls.bounce.value;
   const sides = /** @type {[number, number][]} */ ([[0, SIDE], [0, SIDE]]);
-  const world = { gravity, grains, stepsPerContact: STEPS };
+  const mu = Number(controls.friction.value);
+  const world = { gravity, grains, stepsPerContact: STEPS, friction: mu > 0 ? { mu } : undefined };
   if (controls.material.value === "hard") {
     const rule = /** @type {const} */ ({ material: "hard", restitution });
     return createScene({ ...world, walls: { sides, restitution }, rule });
@@ -62,8 +59,9 @@ async function restart() {
   const made = await build(lattice(controls.count.value));
   if (request !== latestRequest) return;
   scene = made;
-  behind = tossed = 0;
-  Object.assign(rate, { since: performance.now(), frames: 0, work: 0, longest: 0, simulated: 0, due: 0, before: 0 });
+  spun = spins(made);
+  tossed = 0;
+  pace.begin();
 }
 
 /** @param {number[]} to */
@@ -86,6 +84,7 @@ const controls = {
   count: slider("tilt-count", Math.round, (n) => `N = ${n}`, () => void restart()),
   bounce: slider("tilt-bounce", (x) => x, (x) => `ε = ${x.toFixed(2)}`, () => void restart()),
   material: choice("tilt-material", () => void restart()),
+  friction: choice("tilt-friction", () => void restart()),
   colours: choice("tilt-colours", (by) => legend("tilt", by)),
 };
 const play = player("tilt-play");
@@ -144,23 +143,12 @@ button("tilt-device", async () => {
   find("tilt-device").textContent = "Tilt the device now";
 });
 
-/** Events are computed for as long as a frame can spare; where there are too many, simulated time goes slower. @param {number} dt */
+/** @param {number} dt */
 function advance(dt) {
   if (!scene) return;
-  const begin = performance.now();
-  const from = scene.time;
-  let [arrived, now] = [false, begin];
-  while (!arrived && now - begin < BUDGET) {
-    const events = Math.min(Math.max(Math.round(CALL / pace), 2), 1000);
-    arrived = scene.advanceTo(Math.max(from + dt, scene.time), events);
-    const then = now;
-    now = performance.now();
-    if (!arrived) pace += 0.3 * (Math.max((now - then) / events, 1e-4) - pace);
-  }
-  rate.simulated += scene.time - from;
-  rate.due += dt;
-  behind += Math.max(dt - (scene.time - from), 0);
-  if (tossed > 0 && (tossed -= scene.time - from) <= 0) pull(gravity);
+  const simulated = pace.advance(scene, dt);
+  spun?.turn(simulated);
+  if (tossed > 0 && (tossed -= simulated) <= 0) pull(gravity);
 }
 
 function draw() {
@@ -171,9 +159,11 @@ function draw() {
   const zoom = size.width / SIDE;
   const ink = colouring(controls.colours.value, scene);
   for (let i = 0; i < scene.count; i++) {
-    circle(pen, positions[2 * i] * zoom, size.height - positions[2 * i + 1] * zoom, radii[i] * zoom - 0.4);
+    const [x, y, radius] = [positions[2 * i] * zoom, size.height - positions[2 * i + 1] * zoom, radii[i] * zoom - 0.4];
+    circle(pen, x, y, radius);
     pen.fillStyle = ink(i);
     pen.fill();
+    spun?.mark(pen, i, x, y, radius);
   }
   compass();
 }
@@ -192,29 +182,6 @@ function compass() {
   }
 }
 
-/** Once a second: what it takes. @param {number} spent */
-function count(spent) {
-  if (!scene) return;
-  rate.frames += 1;
-  rate.work += spent;
-  rate.longest = Math.max(rate.longest, spent);
-  const now = performance.now();
-  const passed = (now - rate.since) / 1000;
-  if (passed < 1) return;
-  const c = scene.statistics;
-  const events = c.collisions + c.planeCollisions + c.releases + c.interrupted + c.steps;
-  setText("tilt-fps", (rate.frames / passed).toFixed(0));
-  setText("tilt-work", `${(rate.work / rate.frames).toFixed(1)} ms`);
-  setText("tilt-longest", `${rate.longest.toFixed(1)} ms`);
-  setText("tilt-events", Math.round((events - rate.before) / passed).toLocaleString("en"));
-  setText("tilt-speed", rate.due > 0 ? `${Math.round((100 * rate.simulated) / rate.due)} %` : "paused");
-  setText("tilt-behind", `${behind.toFixed(1)} s`);
-  setText("tilt-total", events.toLocaleString("en"));
-  setText("tilt-energy", `${formatNumber(scene.kineticEnergy, 2)} J`);
-  setText("tilt-time", `${scene.time.toFixed(1)} s`);
-  Object.assign(rate, { since: now, frames: 0, work: 0, longest: 0, simulated: 0, due: 0, before: events });
-}
-
 export async function start() {
   legend("tilt", controls.colours.value);
   await restart();
@@ -225,9 +192,8 @@ export function frame(dt) {
   const begin = performance.now();
   if (play.playing) advance(dt);
   draw();
-  if (scene) {
-    const told = countMotions("tilt", scene);
-    announce(() => `${told}. Gravity ${Math.hypot(...gravity).toFixed(1)} metres per second squared.`);
-  }
-  count(performance.now() - begin);
+  if (!scene) return;
+  const told = countMotions("tilt", scene);
+  announce(() => `${told}. Gravity ${Math.hypot(...gravity).toFixed(1)} metres per second squared.`);
+  pace.count(scene, performance.now() - begin);
 }

@@ -1,19 +1,12 @@
 //! Which world did JavaScript describe? Keeps the description until the world starts; reads it, builds the world.
 
+use crate::lent::{D, Facets, Lent, WorldRule};
 use crate::rule::{ChosenRule, Material};
+#[cfg(feature = "rough")]
+use carom::law::{Rough, Tangential};
 use carom::space::{MAX_PLANES, Plane, Surface, Vibration};
-use carom::{Enduring, Error, Grain, Memory, World};
+use carom::{Enduring, Error, Grain, World};
 
-/// The dimension of this module's worlds.
-pub const D: usize = if cfg!(feature = "line") {
-    1
-} else if cfg!(feature = "space") {
-    3
-} else {
-    2
-};
-/// The most grains of a world.
-pub const MAX_GRAINS: usize = 500;
 /// Numbers that describe a grain: radius, mass, material, position, velocity.
 pub const GRAIN_FIELDS: usize = 9;
 
@@ -36,6 +29,11 @@ pub struct Description {
     pub steps: u32,
     /// What grains do when they touch.
     pub rule: ChosenRule,
+    /// What stands inside the box.
+    pub facets: Facets,
+    /// What surfaces do.
+    #[cfg(feature = "rough")]
+    pub friction: Tangential<f64>,
 }
 
 impl Description {
@@ -50,19 +48,35 @@ impl Description {
             contact_time: f64::NAN,
             steps: 0,
             rule,
+            #[cfg(feature = "rough")]
+            facets: Facets::new(),
+            #[cfg(not(feature = "rough"))]
+            facets: (),
+            #[cfg(feature = "rough")]
+            friction: Tangential::Walton { mu: 0.0, beta_0: 0.0 },
         }
+    }
+
+    /// What grains do when they touch, their surfaces too.
+    #[cfg(not(feature = "rough"))]
+    const fn world_rule(&self) -> WorldRule {
+        self.rule
+    }
+    #[cfg(feature = "rough")]
+    fn world_rule(&self) -> WorldRule {
+        Rough::spheres(self.rule, self.friction)
     }
 
     /// The world, started in this memory.
     pub fn start(
         &self,
-        memory: &'static mut Memory<f64, D, MAX_GRAINS>,
+        memory: &'static mut Lent,
         grains: &[[f64; GRAIN_FIELDS]],
-    ) -> Result<World<'static, f64, D, ChosenRule>, Error> {
+    ) -> Result<World<'static, f64, D, WorldRule>, Error> {
         let mut builder = World::builder(memory)
             .enduring(self.enduring)
             .gravity(first(&self.gravity))
-            .rule(self.rule);
+            .rule(self.world_rule());
         if !self.contact_time.is_nan() {
             builder = match self.enduring {
                 Enduring::Paper => builder.tc(self.contact_time),
@@ -89,9 +103,14 @@ pub fn first(all: &[f64]) -> [f64; D] {
     core::array::from_fn(|i| all.get(i).copied().unwrap_or(0.0))
 }
 
+/// By the rule where there is no restitution.
+pub fn surface(restitution: f64) -> Surface<f64> {
+    if restitution.is_nan() { Surface::Rule } else { Surface::Hard(restitution) }
+}
+
 fn plane(wall: &Wall) -> Plane<f64, D> {
     let &[_, _, _, offset, restitution, amplitude, frequency, phase] = wall;
-    let surface = if restitution.is_nan() { Surface::Rule } else { Surface::Hard(restitution) };
+    let surface = surface(restitution);
     let plane = Plane::new(first(wall), offset, surface);
     if frequency == 0.0 && amplitude == 0.0 {
         return plane;

@@ -8,13 +8,15 @@
 
 mod description;
 mod integrate;
+mod lent;
 mod rule;
 mod view_buffers;
 
 use carom::law::{LinearDashpot, Outside, Viscoelastic};
-use carom::{Enduring, Error, Memory, World};
+use carom::{Enduring, Error, World};
 use core::fmt::Write;
-use description::{D, Description, GRAIN_FIELDS, MAX_GRAINS, first};
+use description::{Description, GRAIN_FIELDS, first};
+use lent::{D, Lent, MAX_GRAINS, WorldRule, lent};
 use rule::{ChosenRule, Material};
 use spin::Mutex;
 use static_cell::StaticCell;
@@ -22,8 +24,8 @@ use view_buffers::{STATISTICS, ViewBuffers};
 
 /// What JavaScript described, until the start.
 static DESCRIPTION: Mutex<Description> = Mutex::new(Description::new());
-static MEMORY: StaticCell<Memory<f64, D, MAX_GRAINS>> = StaticCell::new();
-static WORLD: Mutex<Option<World<'static, f64, D, ChosenRule>>> = Mutex::new(None);
+static MEMORY: StaticCell<Lent> = StaticCell::new();
+static WORLD: Mutex<Option<World<'static, f64, D, WorldRule>>> = Mutex::new(None);
 /// All zeros, so that it takes no place in the file.
 static SHARED: Mutex<Shared> = Mutex::new(Shared {
     grains: [[0.0; GRAIN_FIELDS]; MAX_GRAINS],
@@ -53,11 +55,12 @@ impl Shared {
     }
 
     fn start(&mut self, count: usize) -> u32 {
-        let Some(memory) = MEMORY.try_init_with(Memory::new) else {
+        let description = DESCRIPTION.lock();
+        let Some(memory) = MEMORY.try_init_with(|| lent(&description.facets)) else {
             return self.fail(format_args!("this instance has been started before"));
         };
         let grains = self.grains.get(..count).unwrap_or(&self.grains);
-        match DESCRIPTION.lock().start(memory, grains) {
+        match description.start(memory, grains) {
             Ok(world) => *WORLD.lock() = Some(world),
             Err(error) => return self.status(Err(error)),
         }
@@ -67,7 +70,7 @@ impl Shared {
     /// Does something with the world and writes what JavaScript sees of it.
     fn with_world(
         &mut self,
-        action: impl FnOnce(&mut World<'static, f64, D, ChosenRule>) -> Result<(), Error>,
+        action: impl FnOnce(&mut World<'static, f64, D, WorldRule>) -> Result<(), Error>,
     ) -> u32 {
         let mut world = WORLD.lock();
         let Some(world) = world.as_mut() else {
@@ -81,7 +84,7 @@ impl Shared {
 
 /// The next event, if there is one; a copy of the engine's loop is large, so there is only this.
 #[inline(never)]
-fn next_event(world: &mut World<'static, f64, D, ChosenRule>) -> Result<bool, Error> {
+fn next_event(world: &mut World<'static, f64, D, WorldRule>) -> Result<bool, Error> {
     world.step().map(|event| event.is_some())
 }
 
@@ -129,6 +132,23 @@ extern "C" fn contacts(paper: u32, time: f64, steps: u32) {
     description.steps = steps;
 }
 
+/// Adds a segment of an obstacle, from a to b; e: its restitution (NaN: by the rule).
+#[cfg(feature = "rough")]
+#[unsafe(no_mangle)]
+extern "C" fn facet(ax: f64, ay: f64, bx: f64, by: f64, e: f64) {
+    let surface = description::surface(e);
+    let facet = carom::space::Facet::new([[ax, ay], [bx, by]], surface);
+    // JavaScript knows how many there may be.
+    let _ = DESCRIPTION.lock().facets.push(facet);
+}
+
+/// Makes grains rough: Walton's rule with μ and β₀.
+#[cfg(feature = "rough")]
+#[unsafe(no_mangle)]
+extern "C" fn friction(mu: f64, beta_0: f64) {
+    DESCRIPTION.lock().friction = carom::law::Tangential::Walton { mu, beta_0 };
+}
+
 /// Sets gravity, before the start or now.
 #[unsafe(no_mangle)]
 extern "C" fn gravity(x: f64, y: f64, z: f64) -> u32 {
@@ -171,7 +191,7 @@ extern "C" fn digest() -> u64 {
 }
 
 /// Where things are: 0: the table of grains, 1: positions, 2: velocities, 3: states, 4: statistics,
-/// 5: now, next, energy, 6: the error's text, 7: the statistics' names.
+/// 5: now, next, energy, 6: the error's text, 7: the statistics' names, 8: angular velocities.
 #[unsafe(no_mangle)]
 extern "C" fn address(of: u32) -> *const u8 {
     let shared = SHARED.lock();
@@ -183,6 +203,8 @@ extern "C" fn address(of: u32) -> *const u8 {
         4 => shared.view.statistics.as_ptr().cast(),
         5 => shared.view.clock.as_ptr().cast(),
         6 => shared.error.as_ptr(),
+        #[cfg(feature = "rough")]
+        8 => shared.view.rotations.as_ptr().cast(),
         _ => STATISTICS.as_ptr(),
     }
 }

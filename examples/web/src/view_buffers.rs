@@ -1,7 +1,7 @@
 //! How does a running world look from outside? Reads a world; writes what JavaScript sees.
 
-use crate::description::{D, MAX_GRAINS};
-use crate::rule::{ChosenRule, INTEGRATED};
+use crate::lent::{D, MAX_GRAINS, WorldRule};
+use crate::rule::INTEGRATED;
 use carom::World;
 use carom::world::{Motion, Statistics};
 use core::sync::atomic::Ordering;
@@ -19,6 +19,9 @@ pub struct ViewBuffers {
     pub positions: [f64; D * MAX_GRAINS],
     /// `D` numbers for each grain.
     pub velocities: [f64; D * MAX_GRAINS],
+    /// A number for each grain.
+    #[cfg(feature = "rough")]
+    pub rotations: [f64; MAX_GRAINS],
     /// For each grain 0: in flight, 1: in a contact of two, 2: at rest, 3: in a cluster.
     pub states: [u8; MAX_GRAINS],
     /// How often everything happened.
@@ -33,6 +36,8 @@ impl ViewBuffers {
         Self {
             positions: [0.0; D * MAX_GRAINS],
             velocities: [0.0; D * MAX_GRAINS],
+            #[cfg(feature = "rough")]
+            rotations: [0.0; MAX_GRAINS],
             states: [0; MAX_GRAINS],
             statistics: [0.0; COUNT],
             clock: [0.0; 3],
@@ -42,7 +47,7 @@ impl ViewBuffers {
 
 impl ViewBuffers {
     /// Writes what can be seen.
-    pub fn write(&mut self, world: &World<'_, f64, D, ChosenRule>) {
+    pub fn write(&mut self, world: &World<'_, f64, D, WorldRule>) {
         let view = world.view();
         let places = self.positions.chunks_exact_mut(D).zip(self.velocities.chunks_exact_mut(D));
         for (i, ((position, velocity), state)) in places.zip(&mut self.states).enumerate() {
@@ -50,6 +55,11 @@ impl ViewBuffers {
             position.copy_from_slice(grain.position.as_slice());
             velocity.copy_from_slice(grain.velocity.as_slice());
             *state = view.motion(i).map_or(0, number);
+        }
+        #[cfg(feature = "rough")]
+        for (i, rotation) in self.rotations.iter_mut().enumerate() {
+            let Some([_, _, z]) = view.angular_velocity(i) else { break };
+            *rotation = z;
         }
         self.statistics = numbers(world.statistics());
         let next = world.next_event_time().map_or(f64::INFINITY, |next| next.as_f64());

@@ -64,7 +64,7 @@ test("a bundler finds the modules, and the bundle has the same bits", async () =
   writeFileSync(join(project, "vite.config.js"), config);
   run(bin("vite"), "build");
   const assets = readdirSync(join(project, "dist", "assets"));
-  assert.equal(assets.filter((name) => name.endsWith(".wasm")).length, 3, assets.join(" "));
+  assert.equal(assets.filter((name) => name.endsWith(".wasm")).length, 4, assets.join(" "));
   const [bundle] = assets.filter((name) => name.endsWith(".js"));
   assert.equal(run(process.execPath, join("dist", "assets", bundle)).trim(), await expected());
 });

@@ -81,7 +81,7 @@ async function settles(page, there) {
 test("tabs and theme: mouse, arrow keys, address", () =>
   visit("pair", { colorScheme: "light" }, async (page) => {
     await page.locator("#tab-pair").focus();
-    for (const [key, experiment] of [["ArrowRight", "tilt"], ["End", "column"], ["ArrowRight", "pair"], ["ArrowLeft", "column"]]) {
+    for (const [key, experiment] of [["ArrowRight", "tilt"], ["ArrowRight", "hourglass"], ["End", "column"], ["ArrowRight", "pair"], ["ArrowLeft", "column"]]) {
       await page.keyboard.press(key);
       assert.equal(await page.locator(`#panel-${experiment}`).isVisible(), true);
       assert.equal(await page.locator("[role=tabpanel]:visible").count(), 1);
@@ -121,7 +121,7 @@ test("everything has a name that can be read out, and all that can be used can b
         .filter((e) => !(e.ariaLabel || e.textContent?.trim() || /** @type {HTMLInputElement} */ (e).labels?.length))
         .map((e) => e.id));
     assert.deepEqual(nameless, []);
-    for (const experiment of ["pair", "tilt", "column"]) {
+    for (const experiment of ["pair", "tilt", "hourglass", "column"]) {
       await page.click(`#tab-${experiment}`);
       const wanted = page.locator(`#panel-${experiment} :is(button, input[type=range], canvas[tabindex]):visible`);
       const ids = await wanted.evaluateAll((all) => all.map((e) => e.id));
@@ -175,7 +175,7 @@ const inks = (page, id) =>
     copy?.drawImage(canvas, 0, 0);
     const data = copy?.getImageData(0, 0, width, height).data ?? [];
     const style = getComputedStyle(document.documentElement);
-    const names = ["flight", "contact", "cluster", "rest"];
+    const names = ["flight", "contact", "cluster", "rest", "paper"];
     const wanted = names.map((name) => Number.parseInt(style.getPropertyValue(`--${name}`).trim().slice(1), 16));
     const found = names.map(() => 0);
     for (let k = 0; k < data.length; k += 4) {
@@ -262,6 +262,52 @@ test("tilt box: keys, drag, buttons, sliders, rubber", () =>
     await changes(page, ["tilt-total"], () => page.click("#tilt-reset"));
     await page.click("#tilt-play");
     await page.waitForFunction(() => document.getElementById("tilt-speed")?.textContent === "paused");
+  }));
+
+test("tilt box: grains with friction show how they turn", () =>
+  visit("tilt", {}, async (page) => {
+    // The compass is edged in the same colour.
+    const smooth = (await inks(page, "tilt-canvas")).paper;
+    await page.check("input[name=tilt-friction][value='0.5']");
+    await page.click("#tilt-none");
+    await page.waitForTimeout(500);
+    assert.ok((await inks(page, "tilt-canvas")).paper > smooth + 500);
+  }));
+
+test("hourglass: sand runs down, turns over by key and button and pointer; friction, colours, marks", { timeout: 120_000 }, () =>
+  visit("hourglass", { colorScheme: "light" }, async (page) => {
+    const below = async () => Number(await text(page, "hourglass-below"));
+    const until = (/** @type {string} */ said) => page.waitForFunction(said, null, { timeout: 100_000, polling: 50 });
+    const shown = `Number(document.getElementById("hourglass-below").textContent)`;
+    assert.ok((await below()) < 100);
+    assert.ok((await inks(page, "hourglass-canvas")).paper > 300);
+    await until(`${shown} > 240`);
+    await page.focus("#hourglass-canvas");
+    await page.keyboard.press("Space");
+    await until(`${shown} < 100`);
+    await page.click("#hourglass-turn");
+    await page.check("input[name=hourglass-friction][value='0']");
+    await until(`${shown} > 250`);
+    assert.equal((await inks(page, "hourglass-canvas")).paper, 0);
+    // A quarter turn by the pointer: sand lies along a side.
+    const box = await place(page, "hourglass-canvas");
+    await page.mouse.move(box.x + 0.9 * box.width, box.y + box.height / 2);
+    await page.mouse.down();
+    for (const angle of [15, 30, 45, 60, 75, 90]) {
+      const [c, s] = [Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)];
+      await page.mouse.move(box.x + (0.5 + 0.4 * c) * box.width, box.y + (0.5 - 0.4 * s) * box.height);
+    }
+    await page.mouse.up();
+    await until(`document.getElementById("hourglass-slope").textContent === "–"`);
+    await page.check("input[name=hourglass-colours][value=speed]");
+    assert.equal(await page.locator("#hourglass-speeds").isVisible(), true);
+    await page.focus("#hourglass-count");
+    await page.keyboard.press("Home");
+    assert.equal(await page.locator("output[for=hourglass-count]").textContent(), "N = 50");
+    await page.click("#hourglass-reset");
+    await until(`${shown} === 0`);
+    await page.click("#hourglass-play");
+    await page.waitForFunction(() => document.getElementById("hourglass-speed")?.textContent === "paused");
   }));
 
 test("tilt box on a phone: a finger, and the device's tilt", () =>

@@ -13,7 +13,7 @@ const only = process.argv.slice(2);
 const [server, browser] = [await serve(), await launch()];
 for (const [screen, options] of Object.entries(SCREENS)) {
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-    for (const [experiment, wait] of /** @type {[string, number][]} */ ([["pair", 3300], ["tilt", 900], ["tilt-later", 4000], ["tilt-asleep", 40000], ["column", 9000]])) {
+    for (const [experiment, wait] of /** @type {[string, number][]} */ ([["pair", 3300], ["tilt", 900], ["tilt-later", 4000], ["tilt-asleep", 40000], ["hourglass", 2500], ["hourglass-later", 15000], ["column", 9000]])) {
       const name = `${experiment}-${screen}-${colorScheme}`;
       if (only.length && !only.some((part) => name.includes(part))) continue;
       const page = await browser.newPage({ ...options, colorScheme });

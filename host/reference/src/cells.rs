@@ -9,16 +9,19 @@ use crate::vector::{Vector, dot, minus};
 /// Two grains that may come to touch while the list is valid; `other` is seen at its position
 /// plus `shift`, which stands for its periodic image.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct NearPair<const D: usize> {
     pub grain: u32,
     pub other: u32,
     /// R1 + R2.
     pub contact_distance: f64,
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
     pub shift: Vector<D>,
 }
 
 /// A grain that may come to touch a wall while the list is valid.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct NearWall {
     pub grain: u32,
     pub axis: usize,
@@ -28,9 +31,12 @@ pub(crate) struct NearWall {
 
 /// Everything within reach plus skin, in the order of the grains.
 #[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Neighbours<const D: usize> {
     pub pairs: Vec<NearPair<D>>,
     pub walls: Vec<NearWall>,
+    /// Made anew with each list.
+    #[cfg_attr(feature = "serde", serde(skip))]
     grid: Grid<D>,
 }
 

@@ -22,6 +22,7 @@ pub(crate) enum Scale {
 /// Gauss collocation: the polynomial of degree 16 whose slope is f at 16 Gauss-Legendre nodes.
 /// Its last Legendre coefficients say how exact it is, everywhere in the step.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Segment {
     unknowns: usize,
     start: Vec<f64>,

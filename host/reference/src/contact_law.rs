@@ -2,6 +2,7 @@
 
 /// When is a contact over?
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum End {
     /// When the normal force vanishes while the grains separate (MP13 Eq. 10): never attraction.
     /// The grains may still overlap; the force stays zero until it would push again.
@@ -17,6 +18,7 @@ pub enum End {
 /// x^s + θ ẋ = 0. MP13's laws both have s = 1: spring and dashpot β = γ = 0, viscoelastic spheres
 /// β = γ = 1/2; L94 Eq. (8) leaves β and γ free.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactLaw {
     pub(crate) stiffness: f64,
     pub(crate) relaxation: f64,
@@ -30,6 +32,7 @@ pub struct ContactLaw {
 
 /// What the exponents are like: x = q^p makes the powers of x in the force powers of q.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 enum Shape {
     /// β = γ = 0.
     Linear,

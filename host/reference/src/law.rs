@@ -22,6 +22,7 @@ use crate::error::{ReferenceError, positive, zero_or_more};
 /// assert!(contact.force(1e-3, 0.0) > 0.0);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ForceLaw {
     /// Linear spring and dashpot, F_n = k x + γ ẋ (MP13 Eq. 40; L94 Eq. 5).
     LinearDashpot {

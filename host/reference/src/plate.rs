@@ -19,6 +19,7 @@ use crate::error::{ReferenceError, zero_or_more};
 /// assert!((plate.height(1.0 / 80.0) - 0.501).abs() < 1e-15);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Plate {
     /// Its middle height.
     pub at: f64,

@@ -11,19 +11,23 @@ use crate::vector::{Vector, dot, length, minus};
 ///
 /// SI, or the same consistent set as the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Grain<const D: usize> {
     /// Radius, > 0.
     pub radius: f64,
     /// Mass, > 0.
     pub mass: f64,
     /// Centre.
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
     pub position: [f64; D],
     /// Velocity.
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
     pub velocity: [f64; D],
 }
 
 /// What bounds one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Boundary {
     /// Nothing.
     Open,

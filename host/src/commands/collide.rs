@@ -1,8 +1,10 @@
 //! `carom collide`: what do collisions lead to? Reads a CSV file; writes CSV, and a line for each bad row.
 
+use super::impacts;
 use crate::collide::{self, BadRow, Case, Integrated, Restitution};
+use crate::rows as csv_rows;
 use crate::tables::{Embedded, Generated, Size};
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use carom_tables::read::{End, Law};
 use clap::{Args, ValueEnum};
 use std::fs::File;
@@ -13,11 +15,15 @@ use std::path::PathBuf;
 #[derive(Args, Debug)]
 pub struct Options {
     /// CSV with a header of at least id,law,k,gamma,Y,nu,A,R1,R2,m1,m2,v,e; law is lsd or
-    /// viscoelastic; SI units; fields a law does not use stay empty.
+    /// viscoelastic, with forces also constant, power, walton-braun, dmt or jkr; SI units; fields a law does not use
+    /// stay empty.
     cases: PathBuf,
-    /// Look the coefficients up in a table, or integrate the contact equation to 1e-12.
+    /// Look the coefficients up in a table, integrate the contact equation to 1e-12, or show the engine's contact and
+    /// the force-based reference's side by side, with spins w1 and w2.
     #[arg(long, value_enum, default_value = "table")]
     with: With,
+    #[command(flatten)]
+    surfaces: impacts::Options,
     /// Which table.
     #[arg(long, value_enum, default_value = "standard")]
     table: Size,
@@ -33,6 +39,7 @@ pub struct Options {
 enum With {
     Table,
     Integrate,
+    Forces,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -53,13 +60,17 @@ enum OutsideOption {
 pub fn run(options: &Options) -> Result<()> {
     let name = options.cases.display();
     let file = File::open(&options.cases).with_context(|| format!("cannot read {name}"))?;
+    if matches!(options.with, With::Forces) {
+        return impacts::run(file, &name.to_string(), &options.surfaces);
+    }
+    options.surfaces.must_be_absent()?;
     let rows = collide::read(file).with_context(|| format!("{name}"))?;
     let end = match options.end {
         EndOption::Force => End::Force,
         EndOption::Overlap => End::Overlap,
     };
     let source: Box<dyn Restitution> = match options.with {
-        With::Integrate => Box::new(Integrated(end)),
+        With::Integrate | With::Forces => Box::new(Integrated(end)),
         With::Table if end == End::Force => Box::new(Embedded(options.table)),
         With::Table => Box::new(Generated::new(options.table, end, &laws(&rows))?),
     };
@@ -72,9 +83,7 @@ pub fn run(options: &Options) -> Result<()> {
     collide::write(&mut sink, rows.iter().map(|row| (id(row), answer(row))))?;
     sink.flush()?;
     let bad: Vec<&BadRow> = rows.iter().filter_map(|row| row.as_ref().err()).collect();
-    bad.iter().try_for_each(|row| writeln!(std::io::stderr(), "carom: {name}: {}", row.why))?;
-    ensure!(bad.is_empty(), "{name}: {} of {} rows have no answer", bad.len(), rows.len());
-    Ok(())
+    csv_rows::report(&name.to_string(), &bad, rows.len())
 }
 
 fn id(row: &Result<Case, BadRow>) -> &str {

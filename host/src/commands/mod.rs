@@ -6,6 +6,7 @@ pub mod compare;
 pub mod figure;
 pub mod hard;
 mod heaps;
+mod impacts;
 pub mod plot;
 pub mod run;
 pub mod scenario;

@@ -11,7 +11,7 @@ use std::time::Duration;
 /// The options of `carom run`.
 #[derive(Args, Debug)]
 pub struct Options {
-    /// The scenario (TOML); three are explained in host/scenarios.
+    /// The scenario (TOML); docs/guide/scenario.md has all fields, host/scenarios some files.
     scenario: PathBuf,
     /// Where to write; a name each for every method.
     #[arg(long, value_name = "DIR", default_value = "carom-out")]
@@ -63,11 +63,12 @@ fn print(json: bool, summary: &Summary, folder: &Path) -> Result<()> {
     if json {
         return Ok(writeln!(sink, "{}", serde_json::to_string_pretty(summary)?)?);
     }
-    writeln!(sink, "{} ({} grains)", summary.title, summary.grains)?;
+    let title = if summary.title.is_empty() { "a scenario" } else { &summary.title };
+    writeln!(sink, "{title} ({} grains)", summary.grains)?;
     for run in &summary.runs {
         writeln!(
             sink,
-            "  {:<9}  t = {} s  {} collisions  {:.6} J  {:.3} s of computing",
+            "  {:<9}  t = {} s  {} collisions  {:.4e} J  {:.3} s of computing",
             run.method.label(),
             run.time,
             run.collisions,

@@ -1,7 +1,9 @@
 //! `carom scenario`: is a file right, and which fields are there? Reads a scenario or the types; writes what is wrong, or the fields.
 
-use crate::scenario::{examine_file, fields, schema};
-use anyhow::{Result, bail};
+use crate::method;
+use crate::observe::Recorder;
+use crate::scenario::{Found, Problem, Scenario, Start, examine_file, fields, place_of, schema};
+use anyhow::{Error, Result, bail};
 use clap::{Args, Subcommand};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -47,7 +49,10 @@ pub fn run(options: &Options) -> Result<()> {
 }
 
 fn check(sink: &mut dyn Write, file: &Path) -> Result<()> {
-    let (start, found) = examine_file(file)?;
+    let (start, mut found) = examine_file(file)?;
+    if let Some(start) = start.as_ref().filter(|_| found.is_empty()) {
+        found = refusals(file, start)?;
+    }
     let name = file.display();
     for ((line, column), problem) in &found {
         writeln!(sink, "{name}:{line}:{column}: {problem}")?;
@@ -58,4 +63,27 @@ fn check(sink: &mut dyn Write, file: &Path) -> Result<()> {
         (count, _) => bail!("{name}: {count} things are wrong"),
     }
     Ok(())
+}
+
+/// What does not fit the box and the grains as they were placed: something to be measured, or a method.
+fn refusals(file: &Path, start: &Start) -> Result<Found> {
+    let (scenario, text) = (Scenario::read(file)?, std::fs::read_to_string(file)?);
+    let mut found = Found::new();
+    let mut say = |path: &str, why: Error| {
+        let message = format!("{why:#}");
+        // Most name their field.
+        let field = message.split([' ', ':']).next().filter(|field| field.starts_with("observe"));
+        let path = field.unwrap_or(path).to_owned();
+        let problem = Problem { path, offset: None, message };
+        found.push((place_of(&text, &problem), problem));
+    };
+    if let Err(why) = Recorder::new(&scenario, start, None) {
+        say("observe", why);
+    }
+    for name in scenario.chosen_methods() {
+        if let Err(why) = method::begin(name, &scenario, start, None) {
+            say("methods", why);
+        }
+    }
+    Ok(found)
 }

@@ -12,9 +12,11 @@ pub use gravity::{Gravity, Vector};
 pub use source::{Action, Source};
 
 use anyhow::{Context, Result, bail};
-use carom::World;
 use carom::law::Rule;
-use carom::world::{Event, EventKind, EventOutcome, Observer};
+use carom::nalgebra::SVector;
+use carom::space::Plane;
+use carom::world::{Event, EventKind, EventOutcome, Observer, Transfer};
+use carom::{Grain, World};
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
 use serde::{Deserialize, Serialize};
@@ -93,7 +95,7 @@ impl<const D: usize> Driving<D> {
         for _ in 0..events {
             let due = self.next_time().min(time);
             match world.step_until_observed(due, observer)? {
-                Some(event) => self.answer(world, &event)?,
+                Some(event) => self.answer(world, &event, observer)?,
                 None if self.next_time() > time => return Ok(true),
                 None => self.act(world, due)?,
             }
@@ -101,11 +103,12 @@ impl<const D: usize> Driving<D> {
         Ok(false)
     }
 
-    /// A grain that has touched a thermal wall leaves it with a velocity drawn from it.
+    /// A grain that has touched a thermal wall leaves it with a velocity drawn from it; what the wall gives for that is told.
     fn answer<R: Rule<f64>>(
         &mut self,
         world: &mut World<'_, f64, D, R>,
         event: &Event<f64>,
+        observer: &mut impl Observer<f64, D>,
     ) -> Result<()> {
         let Some(touched) = event.partner.as_plane().filter(|_| has_touched(event)) else {
             return Ok(());
@@ -121,7 +124,9 @@ impl<const D: usize> Driving<D> {
             };
             let normal = std::array::from_fn(|axis| wall.normal[axis]);
             let speed = (temperature / grain.mass).sqrt();
-            world.set_velocity(event.grain, sample::leaving(&mut self.rng, normal, speed))?;
+            let leaving = sample::leaving(&mut self.rng, normal, speed);
+            world.set_velocity(event.grain, leaving)?;
+            observer.transferred(&given(&grain, &wall, leaving, event));
         }
         Ok(())
     }
@@ -135,6 +140,24 @@ impl<const D: usize> Driving<D> {
             }
         }
         Ok(())
+    }
+}
+
+/// What a thermal wall gives a grain besides having reflected it.
+fn given<const D: usize>(
+    grain: &Grain<f64, D>,
+    wall: &Plane<f64, D>,
+    leaving: [f64; D],
+    event: &Event<f64>,
+) -> Transfer<f64, D> {
+    let (before, after) = (grain.velocity, SVector::from(leaving));
+    Transfer {
+        grain: event.grain,
+        partner: event.partner,
+        impulse: (after - before) * grain.mass,
+        separation: wall.normal * grain.radius,
+        work: 0.5 * grain.mass * (before.norm_squared() - after.norm_squared()),
+        approach: None,
     }
 }
 

@@ -162,7 +162,10 @@ fn meet<const D: usize, R: Rule<f64>>(
 ) -> Result<()> {
     let index = rng.random_range(0..world.view().len().max(1));
     let Some(grain) = world.grain(index) else { return Ok(()) };
-    let velocity = sample::maxwell(rng, (temperature / grain.mass).sqrt());
+    let velocity: [f64; D] = sample::maxwell(rng, (temperature / grain.mass).sqrt());
+    // The bath of a sheared box flows along.
+    let flow = world.view().boundary().flow_at(&grain.position);
+    let velocity = std::array::from_fn(|axis| velocity[axis] + flow[axis]);
     Ok(world.set_velocity(index, velocity)?)
 }
 

@@ -2,7 +2,7 @@
 
 use super::data::{Entry, Figure, Made, Note, Series, Value};
 use super::number::significant;
-use super::{bsfp14, gases, l94, mp13, rest, waves};
+use super::{bsfp14, gases, l94, mp13, rest, walls, waves};
 use anyhow::{Result, bail};
 use std::io::Write;
 
@@ -127,6 +127,7 @@ const OURS: &[Entry] = &[
         "how grains flow in a shaken layer of disks, by MD and event by event",
         waves::flow::make
     ),
+    entry!("drum", "the slope in a drum of rough disks that turns, against μ", walls::drum::make),
 ];
 
 /// Points of a curve that are printed.

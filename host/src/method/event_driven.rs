@@ -7,7 +7,7 @@ use crate::scenario::{MethodName, Placed};
 use anyhow::Result;
 use carom::World;
 use carom::law::Rule;
-use carom::world::{Event, EventOutcome, Motion, Observer, View};
+use carom::world::{Event, EventOutcome, Motion, Observer, Transfer, View};
 
 /// A world of the core as a method.
 pub struct EventDriven<'m, const D: usize, R> {
@@ -70,6 +70,12 @@ impl<const D: usize> Observer<f64, D> for Watch<'_, D> {
         }
     }
 
+    fn transferred(&mut self, transfer: &Transfer<f64, D>) {
+        if let Some(tally) = &mut self.tally {
+            tally.transferred(transfer);
+        }
+    }
+
     fn after(&mut self, event: &Event<f64>, view: View<'_, f64, D>) {
         if let Some(log) = &mut self.log {
             log.after(event, view);
@@ -103,21 +109,44 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
         Ok(Some(postcard::to_stdvec(&(self.world.save(), tally, &self.driving))?))
     }
 
+    fn next_event_time(&self) -> Option<f64> {
+        let source = self.driving.as_ref().map(Driving::next_time).filter(|time| time.is_finite());
+        let event = self.world.next_event_time().map(|time| time.as_f64());
+        source.into_iter().chain(event).reduce(f64::min)
+    }
+
+    fn digest(&self) -> Option<u64> {
+        Some(self.world.digest())
+    }
+
     fn take_tally(&mut self) -> Vec<f64> {
-        self.tally.as_mut().map(Tally::take).unwrap_or_default()
+        let Some(tally) = &mut self.tally else { return Vec::new() };
+        tally.rest(&self.world);
+        tally.take(self.world.now().as_f64())
     }
 
     fn grains(&self) -> Vec<Placed> {
         let view = self.world.view();
         (0..view.len())
-            .filter_map(|i| view.grain(i))
-            .map(|grain| Placed {
-                radius: grain.radius,
-                mass: grain.mass,
-                position: three(grain.position.as_slice()),
-                velocity: three(grain.velocity.as_slice()),
+            .map(|i| {
+                view.grain(i).map_or(Placed::GONE, |grain| Placed {
+                    radius: grain.radius,
+                    mass: grain.mass,
+                    position: three(grain.position.as_slice()),
+                    velocity: three(grain.velocity.as_slice()),
+                })
             })
             .collect()
+    }
+
+    fn rotations(&self) -> Vec<[f64; 3]> {
+        let view = self.world.view();
+        (0..view.len()).filter_map(|i| view.angular_velocity(i)).collect()
+    }
+
+    fn rotational_energy(&self) -> f64 {
+        let inertia = self.world.inertia();
+        inertia.map_or(0.0, |inertia| self.world.view().rotational_energy(inertia))
     }
 
     fn kinetic_energy(&self) -> f64 {
@@ -147,6 +176,7 @@ impl<const D: usize, R: Rule<f64>> Method for EventDriven<'_, D, R> {
             ("supported_collisions", c.supported_collisions),
             ("joins", c.joins),
             ("steps", c.steps),
+            ("cut_steps", c.cut_steps),
             ("crushed", c.crushed),
             ("reordered", c.reordered),
             ("stale", c.stale),

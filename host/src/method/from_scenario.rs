@@ -3,22 +3,27 @@
 use super::event_driven::EventDriven;
 use super::force_based::ForceBased;
 use super::interface::Method;
+use super::l94::{Hard, L94};
+use super::obstacles::{Obstacles, surface};
+use super::running::{AnyRule, Borrower, Running};
+use super::spins::{Smooth, Spins};
 use crate::drive::Driving;
 use crate::integrated::Integrated;
 use crate::observe::Layout;
 use crate::scenario::{
-    EnduringSpec, LawSpec, Laws, Made, MatrixSpec, MethodName, OutsideSpec, ReleaseSpec, Scenario,
-    Shaking, Side, Start, sources,
+    EnduringSpec, FrictionSpec, LawSpec, Laws, Made, MatrixSpec, MethodName, OutsideSpec,
+    ReleaseSpec, Scenario, Shaking, Side, Start, sources,
 };
 use crate::tables::embedded;
 use anyhow::{Context, Result, bail};
 use carom::HeapMemory;
 use carom::law::{
-    Central, HardSphere, LinearDashpot, Outside, PairRules, Rule, Soft, Viscoelastic,
+    Central, HardSphere, LinearDashpot, Outside, PairRules, Rough, Rule, Soft, Tangential,
+    Viscoelastic,
 };
 use carom::particle::Body;
-use carom::space::{Plane, Surface, Vibration};
-use carom::world::{ScheduledEvent, Snapshot, WorldBuilder};
+use carom::space::{ContactState, Drift, Plane, Shear, Vibration};
+use carom::world::{Buffers, SavedRotation, ScheduledEvent, Snapshot, Storage as _, WorldBuilder};
 use carom::{Enduring, Grain, Release, World};
 use carom_reference::{Exact, Plate, Verlet, VerletOptions};
 use carom_tables::read::Law;
@@ -61,79 +66,114 @@ pub fn with_state<T>(
     state: Option<&[u8]>,
     work: impl FnOnce(&mut dyn Method) -> Result<T>,
 ) -> Result<T> {
-    match start.dimension {
-        1 => with_dimension::<1, T>(name, scenario, start, state, work),
-        2 => with_dimension::<2, T>(name, scenario, start, state, work),
-        _ => with_dimension::<3, T>(name, scenario, start, state, work),
-    }
+    let mut running = begin(name, scenario, start, state)?;
+    running.with(work).with_context(|| name.label())
 }
 
-fn with_dimension<const D: usize, T>(
+/// As [`with_state`], for whoever keeps the method: it owns all it needs, and may go to another thread.
+///
+/// # Errors
+/// As [`with_state`].
+///
+/// ```
+/// use carom_host::{method, scenario::{MethodName, Scenario, Start}};
+/// let scenario = Scenario::parse("dimension = 1\nduration = 1.0\nsample = 1.0\n\
+///     [law]\nkind = \"constant\"\nrestitution = 1.0\n\
+///     [[grain]]\nradius = 0.1\nmass = 1.0\nat = [0.0]\nmoving = [1.0]").unwrap();
+/// let start = Start::new(&scenario).unwrap();
+/// let mut running = method::begin(MethodName::Emd, &scenario, &start, None).unwrap();
+/// let place = std::thread::spawn(move || running.with(|method| {
+///     method.advance_to(2.0).map(|()| method.grains()[0].position[0])
+/// }));
+/// assert_eq!(place.join().unwrap().unwrap(), 2.0);
+/// ```
+pub fn begin(
     name: MethodName,
     scenario: &Scenario,
     start: &Start,
     state: Option<&[u8]>,
-    work: impl FnOnce(&mut dyn Method) -> Result<T>,
-) -> Result<T> {
-    let context = || name.label();
+) -> Result<Running> {
+    let begun = match start.dimension {
+        1 => begin_in::<1>(name, scenario, start, state),
+        2 => begin_in::<2>(name, scenario, start, state),
+        _ => begin_in::<3>(name, scenario, start, state),
+    };
+    begun.with_context(|| name.label())
+}
+
+fn begin_in<const D: usize>(
+    name: MethodName,
+    scenario: &Scenario,
+    start: &Start,
+    state: Option<&[u8]>,
+) -> Result<Running> {
     match name {
         MethodName::Md => {
             let (system, law) = system::<D>(scenario, start)?;
-            let (end, options) = (carom_reference::End::Force, VerletOptions::default());
-            let run = Verlet::new(&system, law, end, options).with_context(context)?;
-            work(&mut ForceBased::new(run, start)).with_context(context)
+            let begin = || Ok(Verlet::new(&system, law, end(&law), VerletOptions::default())?);
+            let layout = scenario.observe.as_ref().map(|_| Layout::new(start));
+            Ok(Running::alone(ForceBased::new(begin, state, start, layout.as_ref())?))
         }
         MethodName::Exact => {
             let (system, law) = system::<D>(scenario, start)?;
-            let run = Exact::new(system, law, carom_reference::End::Force).with_context(context)?;
-            work(&mut ForceBased::new(run, start)).with_context(context)
+            let begin = || Ok(Exact::new(system, law, end(&law))?);
+            Ok(Running::alone(ForceBased::new(begin, state, start, None)?))
         }
         MethodName::Emd | MethodName::EmdStar => {
-            with_world::<D, T>(name, scenario, start, state, work).with_context(context)
+            let grains = HeapMemory::<f64, D>::with_capacity(start.grains.len());
+            let obstacles = Obstacles::new(start);
+            let memory = Memory { grains, spins: Spins::new::<D>(start), obstacles };
+            let rules = rules(name, scenario, &start.laws)?;
+            Running::on(memory, rules, |memory, rules| {
+                let rule = PairRules::new(rules).context("a rule for each pair of materials")?;
+                if start.laws.has_friction() {
+                    return world(memory, rule, name, scenario, start, state);
+                }
+                // The compiler knows that nothing rotates.
+                world(memory, Smooth(rule), name, scenario, start, state)
+            })
         }
     }
+}
+
+/// What a world borrows.
+struct Memory<const D: usize> {
+    grains: HeapMemory<f64, D>,
+    spins: Spins,
+    obstacles: Obstacles<D>,
 }
 
 /// A saved world of the core.
-type Saved<const D: usize> = Snapshot<f64, D, Vec<Body<f64, D>>, Vec<ScheduledEvent<f64>>>;
+type Saved<const D: usize> = Snapshot<
+    f64,
+    D,
+    Vec<Body<f64, D>>,
+    Vec<ScheduledEvent<f64>>,
+    SavedRotation<Vec<f64>, Vec<ContactState<f64>>>,
+>;
 
-fn with_world<const D: usize, T>(
+/// A world at its start, or from where it was saved.
+fn world<'m, const D: usize, R: Rule<f64> + Send + 'm>(
+    memory: &'m mut Memory<D>,
+    rule: R,
     name: MethodName,
     scenario: &Scenario,
     start: &Start,
     state: Option<&[u8]>,
-    work: impl FnOnce(&mut dyn Method) -> Result<T>,
-) -> Result<T> {
-    let rules = rules(name, scenario, &start.laws)?;
-    let rules: Vec<&dyn Rule<f64>> = rules.iter().map(|rule| &**rule).collect();
-    match &rules[..] {
-        [only] => with_rule::<D, T>(name, scenario, start, state, only, work),
-        _ => {
-            let rule = PairRules::new(&rules).context("a rule for each pair of materials")?;
-            with_rule::<D, T>(name, scenario, start, state, &rule, work)
-        }
-    }
-}
-
-fn with_rule<const D: usize, T>(
-    name: MethodName,
-    scenario: &Scenario,
-    start: &Start,
-    state: Option<&[u8]>,
-    rule: &dyn Rule<f64>,
-    work: impl FnOnce(&mut dyn Method) -> Result<T>,
-) -> Result<T> {
+) -> Result<Borrower<'m>> {
     let layout = scenario.observe.as_ref().map(|_| Layout::new(start));
-    let mut storage = HeapMemory::<f64, D>::with_capacity(start.grains.len());
+    let (rotation, contacts) = memory.spins.buffers();
+    let obstacles = memory.obstacles.buffers();
+    let buffers = Buffers { rotation, contacts, obstacles, ..memory.grains.buffers() };
     if let Some(bytes) = state {
         let (saved, tally, driving): (Saved<D>, Option<Vec<f64>>, Option<Driving<D>>) =
             postcard::from_bytes(bytes).context("the saved state is damaged")?;
-        let world = World::restore(&mut storage, rule, &saved)?;
+        let world = World::restore_with(buffers, rule, &saved)?;
         let method = EventDriven::new(world, name, scenario.options.events);
         let method = method.with_tally(layout.as_ref(), tally.as_deref());
-        return work(&mut method.driven(driving));
+        return Ok(Box::new(method.driven(driving)));
     }
-    let builder = World::builder(&mut storage).gravity(first(&start.gravity));
+    let builder = World::builder_with(buffers).gravity(first(&start.gravity));
     let builder = builder.enduring(enduring(scenario));
     let builder =
         enclose(builder.release(release(scenario)).tc(scenario.options.tc), start).rule(rule);
@@ -147,7 +187,7 @@ fn with_rule<const D: usize, T>(
     let world = builder.grains(grains).and_then(WorldBuilder::start)?;
     let method = EventDriven::new(world, name, scenario.options.events);
     let driving = driving(scenario, start)?;
-    work(&mut method.with_tally(layout.as_ref(), None).driven(driving))
+    Ok(Box::new(method.with_tally(layout.as_ref(), None).driven(driving)))
 }
 
 /// What drives a run, if anything does.
@@ -183,37 +223,39 @@ fn enclose<'m, const D: usize, R>(
             Side::Plate(plate, made) => {
                 let Plate { at, amplitude, frequency, phase } = plate;
                 let shaking = Shaking { amplitude, frequency, phase };
-                builder = builder.plane(wall(axis, (at, 1.0), made, Some(shaking)));
+                let steady = start.steady[axis][0];
+                builder = builder.plane(wall(axis, (at, 1.0), made, Some(shaking), steady));
             }
             Side::Walls([from, to], made, shaking) => {
-                for end in [(from, 1.0), (to, -1.0)] {
-                    builder = builder.plane(wall(axis, end, made, shaking));
+                for (end, steady) in [(from, 1.0), (to, -1.0)].into_iter().zip(start.steady[axis]) {
+                    builder = builder.plane(wall(axis, end, made, shaking, steady));
                 }
             }
         }
     }
-    builder
+    match start.flow {
+        Some(flow) => builder.sheared(Shear::new(flow.along, flow.gradient, flow.rate)),
+        None => builder,
+    }
 }
 
-/// The wall across an axis that faces up or down it; a positive amplitude moves it up first, wherever it faces.
+/// The wall across an axis that faces up or down it; a positive amplitude moves it up first, wherever it faces, and a
+/// positive steady speed up all the time.
 fn wall<const D: usize>(
     axis: usize,
     (at, facing): (f64, f64),
     made: Made,
     shaking: Option<Shaking>,
+    steady: f64,
 ) -> Plane<f64, D> {
     let mut normal = [0.0; D];
     normal[axis] = facing;
-    let surface = match made {
-        Made::Soft => Surface::Rule,
-        Made::Hard(restitution) => Surface::Hard(restitution),
-        Made::Of(material) => Surface::Material(material),
-    };
-    let plane = Plane::new(normal, facing * at, surface);
+    let plane = Plane::new(normal, facing * at, surface(made));
     match shaking.filter(|shaking| shaking.amplitude != 0.0) {
         Some(Shaking { amplitude, frequency, phase }) => {
             plane.vibrating(Vibration::new(facing * amplitude, frequency).starting_at(phase))
         }
+        None if steady != 0.0 => plane.drifting(Drift::new(facing * steady)),
         None => plane,
     }
 }
@@ -248,21 +290,27 @@ fn first<const D: usize>(numbers: &[f64; 3]) -> [f64; D] {
 ///
 /// # Errors
 /// When no two materials have a law, or one has no such rule.
-pub fn rules(
-    name: MethodName,
-    scenario: &Scenario,
-    laws: &Laws,
-) -> Result<Vec<Box<dyn Rule<f64>>>> {
+pub fn rules(name: MethodName, scenario: &Scenario, laws: &Laws) -> Result<Vec<AnyRule>> {
     let all = || laws.pairs().flatten();
     let some = all().next().context("there is no law")?;
     if name == MethodName::EmdStar && !all().any(|law| law.has_force()) {
         bail!("{} needs a force law, but law.kind is constant", name.label());
     }
-    Ok(laws.pairs().map(|law| rule(name, scenario, law.unwrap_or(some))).collect())
+    let of = |law: Option<LawSpec>| rule(name, scenario, law.unwrap_or(some));
+    if !laws.has_friction() {
+        return Ok(laws.pairs().map(of).collect());
+    }
+    let smooth = Tangential::Constant { beta: -1.0 };
+    let inertia = scenario.inertia.unwrap_or(0.4);
+    let rough = |(law, friction): (Option<LawSpec>, Option<FrictionSpec>)| {
+        let tangential = friction.map_or(smooth, Into::into);
+        Box::new(Rough { inertia, ..Rough::spheres(of(law), tangential) }) as AnyRule
+    };
+    Ok(laws.pairs().zip(laws.frictions()).map(rough).collect())
 }
 
 /// The collision rule of an event-driven method.
-fn rule(name: MethodName, scenario: &Scenario, law: LawSpec) -> Box<dyn Rule<f64>> {
+fn rule(name: MethodName, scenario: &Scenario, law: LawSpec) -> AnyRule {
     match law {
         LawSpec::Constant { restitution } => Box::new(HardSphere { restitution }),
         LawSpec::Lsd { stiffness, damping } => {
@@ -273,6 +321,13 @@ fn rule(name: MethodName, scenario: &Scenario, law: LawSpec) -> Box<dyn Rule<f64
                     let table = embedded(scenario.options.table, Law::LinearDashpot);
                     by_method(name, Soft::with_table(law, table, outside(scenario)))
                 }
+            }
+        }
+        LawSpec::L94 { stiffness, beta, damping, gamma } => {
+            let law = L94 { stiffness, beta, damping, gamma };
+            match name {
+                MethodName::Emd => Box::new(Hard(law)),
+                _ => Box::new(carom::law::Integrated(law)),
             }
         }
         LawSpec::Viscoelastic { young, poisson, dissipation } => {
@@ -289,7 +344,7 @@ fn rule(name: MethodName, scenario: &Scenario, law: LawSpec) -> Box<dyn Rule<f64
 }
 
 /// eMD takes only the central restitution of the rule, eMD* all of it.
-fn by_method(name: MethodName, rule: impl Rule<f64> + 'static) -> Box<dyn Rule<f64>> {
+fn by_method(name: MethodName, rule: impl Rule<f64> + Send + Sync + 'static) -> AnyRule {
     match name {
         MethodName::Emd => Box::new(Central(rule)),
         _ => Box::new(rule),
@@ -304,6 +359,14 @@ fn outside(scenario: &Scenario) -> Outside {
     }
 }
 
+/// When contacts under this law are over.
+const fn end(law: &carom_reference::ForceLaw) -> carom_reference::End {
+    match law {
+        carom_reference::ForceLaw::PowerLaw { .. } => carom_reference::End::Overlap,
+        _ => carom_reference::End::Force,
+    }
+}
+
 /// The force law of the reference.
 ///
 /// # Errors
@@ -315,6 +378,9 @@ pub fn force_law(scenario: &Scenario) -> Result<carom_reference::ForceLaw> {
         }
         LawSpec::Viscoelastic { young, poisson, dissipation } => {
             Ok(carom_reference::ForceLaw::Viscoelastic { young, poisson, dissipation })
+        }
+        LawSpec::L94 { stiffness, beta, damping, gamma } => {
+            Ok(L94 { stiffness, beta, damping, gamma }.of_reference())
         }
         LawSpec::Constant { .. } => bail!("MD needs a force law, but law.kind is constant"),
     }

@@ -39,10 +39,31 @@ pub trait Method {
         Ok(None)
     }
 
-    /// All grains as they are now, inside the box where it is periodic.
+    /// When something happens next by itself (s), a grain's way into another cell among it; none if nothing
+    /// ever does, or the method has no events.
+    fn next_event_time(&self) -> Option<f64> {
+        None
+    }
+
+    /// A digest of the whole state, the same on every machine; none where the method promises no such bits.
+    fn digest(&self) -> Option<u64> {
+        None
+    }
+
+    /// All grains as they are now, inside the box where it is periodic; [`Placed::GONE`] where one was taken out.
     fn grains(&self) -> Vec<Placed>;
 
-    /// Kinetic energy (J).
+    /// The angular velocity of each grain (1/s), about each axis; nothing where grains are smooth.
+    fn rotations(&self) -> Vec<[f64; 3]> {
+        Vec::new()
+    }
+
+    /// Kinetic energy of rotation (J).
+    fn rotational_energy(&self) -> f64 {
+        0.0
+    }
+
+    /// Kinetic energy of the grains' centres (J).
     fn kinetic_energy(&self) -> f64;
 
     /// Contacts begun so far, with grains and walls.

@@ -4,8 +4,13 @@ mod event_driven;
 mod force_based;
 mod from_scenario;
 mod interface;
+mod l94;
+mod obstacles;
+mod running;
+mod spins;
 
 pub use event_driven::EventDriven;
 pub use force_based::ForceBased;
-pub use from_scenario::{force_law, rules, with, with_state};
+pub use from_scenario::{begin, force_law, rules, with, with_state};
 pub use interface::{LoggedEvent, Method};
+pub use running::{AnyRule, Running};

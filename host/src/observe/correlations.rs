@@ -14,7 +14,8 @@ pub struct Correlations {
     /// Time between two looks (s).
     every: f64,
     sides: [Side; 3],
-    dimension: usize,
+    /// Along which axes: of a sheared box those across the flow.
+    axes: Vec<usize>,
     /// The grains that are followed.
     followed: Vec<usize>,
     /// Where its sums begin.
@@ -54,8 +55,9 @@ impl Correlations {
         let points = (looks as u64 / stride).max(1) as usize;
         let (count, most) = (start.grains.len(), spec.grains as usize);
         let followed = (0..count.min(most)).map(|k| k * count / count.min(most)).collect();
-        let (sides, dimension) = (start.sides, start.dimension);
-        Self { stride, points, every, sides, dimension, followed, offset }
+        let is_still = |axis: &usize| start.flow.is_none_or(|flow| flow.along != *axis);
+        let axes = (0..start.dimension).filter(is_still).collect();
+        Self { stride, points, every, sides: start.sides, axes, followed, offset }
     }
 
     /// How many sums there are.
@@ -93,8 +95,8 @@ impl Correlations {
             ways.way = vec![[0.0; 3]; self.followed.len()];
         }
         for (place, &k) in self.followed.iter().enumerate() {
-            let Some(grain) = grains.get(k) else { continue };
-            for axis in 0..self.dimension {
+            let Some(grain) = grains.get(k).filter(|grain| grain.is_there()) else { continue };
+            for &axis in &self.axes {
                 let step = grain.position[axis] - ways.last[place][axis];
                 ways.way[place][axis] += self.sides[axis].nearest(step);
                 if let Side::Periodic([from, to]) = self.sides[axis] {
@@ -108,10 +110,10 @@ impl Correlations {
 
     fn compare(&self, sums: &mut [f64], ways: &Ways, origin: &Origin, grains: &[Placed]) {
         for (place, &k) in self.followed.iter().enumerate() {
-            let Some(grain) = grains.get(k) else { continue };
+            let Some(grain) = grains.get(k).filter(|grain| grain.is_there()) else { continue };
             let (way, before) = (&ways.way[place], &origin.way[place]);
             sums[0] += 1.0;
-            for axis in 0..self.dimension {
+            for &axis in &self.axes {
                 sums[1] += (way[axis] - before[axis]).powi(2);
                 sums[2] += grain.velocity[axis] * origin.velocity[place][axis];
             }
@@ -151,7 +153,7 @@ impl Correlations {
         let points = [self.points / 2, self.points];
         let places = points.map(|point| self.place(point));
         let time = self.apart(points[1]) - self.apart(points[0]);
-        let d = self.dimension as f64;
+        let d = self.axes.len() as f64;
         move |sums| {
             let [half, whole] = places.map(|place| sums[place + 1] / sums[place]);
             (whole - half) / (2.0 * d * time)

@@ -1,6 +1,6 @@
 //! Which sum stands where? Reads the start of a run; writes nothing, numbers the sums.
 
-use crate::scenario::{Side, Start};
+use crate::scenario::{Flow, Side, Start};
 use std::ops::Range;
 
 /// What is summed for every kind of contact, one after the other.
@@ -73,6 +73,8 @@ pub struct Layout {
     pub names: Vec<String>,
     /// The box.
     pub sides: [Side; 3],
+    /// The flow of a sheared box.
+    pub flow: Option<Flow>,
     /// The planes: their names and their areas, where these are known.
     pub walls: Vec<(String, Option<f64>)>,
     /// Volume of the box, if it is bounded.
@@ -86,7 +88,7 @@ impl Layout {
     pub fn new(start: &Start) -> Self {
         let (species, names) = species(start);
         let masses = (0..names.len()).map(|s| mass(start, &species, s)).collect();
-        let length = |axis: usize| start.sides[axis].range().map(|[from, to]| to - from);
+        let length = |axis: usize| start.range(axis).map(|[from, to]| to - from);
         let without = |left_out: usize| {
             let mut axes = (0..start.dimension).filter(|&axis| axis != left_out);
             axes.try_fold(1.0, |product, axis| Some(product * length(axis)?))
@@ -107,10 +109,21 @@ impl Layout {
             species,
             names,
             sides: start.sides,
+            flow: start.flow,
             walls,
             volume,
             masses,
         }
+    }
+
+    /// How many planes bound the axes before this one.
+    pub fn planes_before(&self, axis: usize) -> usize {
+        let planes = |side: &Side| match side {
+            Side::Walls(..) => 2,
+            Side::Plate(..) => 1,
+            _ => 0,
+        };
+        self.sides.iter().take(axis).map(planes).sum()
     }
 
     /// How many sums collisions have.

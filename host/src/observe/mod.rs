@@ -5,16 +5,19 @@
 
 mod blocks;
 mod correlations;
+mod given;
 mod layout;
 mod pair_distribution;
 mod profile;
 mod quantities;
 mod recorder;
 mod state;
+mod surface;
 mod table;
 mod tally;
 
 pub use blocks::{Blocks, Mean};
+pub use given::Given;
 pub use layout::Layout;
 pub use quantities::Quantity;
 pub use recorder::{Looks, Recorder};

@@ -3,7 +3,7 @@
 use super::blocks::Blocks;
 use super::layout::Layout;
 use super::table::{Table, number};
-use crate::scenario::{PairSpec, Placed, Side, Start};
+use crate::scenario::{Flow, PairSpec, Placed, Side, Start, present};
 use anyhow::{Result, bail};
 use std::f64::consts::PI;
 
@@ -19,9 +19,10 @@ pub struct PairDistribution {
     pub one_in: u64,
     dimension: usize,
     sides: [Side; 3],
+    /// The flow of a sheared box, whose images move.
+    flow: Option<Flow>,
     volume: f64,
     names: Vec<String>,
-    counts: Vec<f64>,
     pairs: Vec<[usize; 2]>,
     /// Where its sums begin.
     offset: usize,
@@ -35,10 +36,14 @@ impl PairDistribution {
     pub fn new(spec: &PairSpec, start: &Start, layout: &Layout, offset: usize) -> Result<Self> {
         let widest = start.grains.iter().map(|grain| grain.radius).fold(0.0, f64::max);
         let to = spec.to.unwrap_or(6.0 * widest);
-        for (axis, side) in start.sides.iter().enumerate().take(start.dimension) {
-            let name = ["x", "y", "z"][axis];
-            let Some([low, high]) = side.range() else {
-                bail!("observe.pair_distribution: box.{name} is open, must be periodic or walled");
+        for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(start.dimension) {
+            let Some([low, high]) = start.range(axis) else {
+                let is = if start.sides[axis].range().is_some() {
+                    "has walls that go on"
+                } else {
+                    "is open"
+                };
+                bail!("observe.pair_distribution: box.{name} {is}, must be periodic or walled");
             };
             if !(to > 0.0 && 2.0 * to <= high - low) {
                 let most = 0.5 * (high - low);
@@ -55,9 +60,9 @@ impl PairDistribution {
             one_in: u64::from(spec.one_in),
             dimension: start.dimension,
             sides: start.sides,
+            flow: start.flow,
             volume: layout.volume.unwrap_or(f64::NAN),
             names: layout.names.clone(),
-            counts: layout.masses.iter().map(|(_, count)| *count as f64).collect(),
             pairs,
             offset,
         })
@@ -65,27 +70,48 @@ impl PairDistribution {
 
     /// How many sums there are.
     pub fn width(&self) -> usize {
-        self.names.len() + self.bins * self.pairs.len()
+        (1 + self.bins) * self.pairs.len()
+    }
+
+    /// How many pairs there would be in all of the box, each for whoever of the two is inside.
+    fn expected(&self, pair: usize) -> usize {
+        self.offset + pair
     }
 
     fn place(&self, pair: usize, bin: usize) -> usize {
-        self.offset + self.names.len() + pair * self.bins + bin
+        self.offset + self.pairs.len() + pair * self.bins + bin
     }
 
-    /// Adds a state.
-    pub fn add(&self, sums: &mut [f64], grains: &[Placed], layout: &Layout) {
+    fn expect(
+        &self,
+        sums: &mut [f64],
+        grains: &[Placed],
+        inside: &[bool],
+        species: impl Fn(usize) -> usize,
+    ) {
+        let mut origins = vec![0.0; self.names.len()];
+        let mut counts = origins.clone();
+        for (k, _) in present(grains) {
+            counts[species(k)] += 1.0;
+            origins[species(k)] += f64::from(u8::from(inside[k]));
+        }
+        for (pair, &[a, b]) in self.pairs.iter().enumerate() {
+            sums[self.expected(pair)] += match a == b {
+                true => origins[a] * (counts[a] - 1.0),
+                false => origins[a] * counts[b] + origins[b] * counts[a],
+            };
+        }
+    }
+
+    /// Adds the state at a time.
+    pub fn add(&self, sums: &mut [f64], grains: &[Placed], layout: &Layout, time: f64) {
         let species = |k: usize| layout.species.get(k).copied().map_or(0, usize::from);
         let inside: Vec<bool> = grains.iter().map(|grain| self.is_inside(grain)).collect();
-        for (k, _) in inside.iter().enumerate().filter(|(_, inside)| **inside) {
-            sums[self.offset + species(k)] += 1.0;
-        }
+        self.expect(sums, grains, &inside, species);
         let scale = self.bins as f64 / self.to;
         self.for_each_near(grains, |i, k| {
             let seen = f64::from(u8::from(inside[i]) + u8::from(inside[k]));
-            let (a, b) = (&grains[i].position, &grains[k].position);
-            let square: f64 = (0..self.dimension)
-                .map(|axis| self.sides[axis].nearest(a[axis] - b[axis]).powi(2))
-                .sum();
+            let square = self.square([&grains[i], &grains[k]], time);
             if square < self.to * self.to {
                 let bin = ((square.sqrt() * scale) as usize).min(self.bins - 1);
                 sums[self.place(layout.pair(species(i), species(k)), bin)] += seen;
@@ -93,18 +119,28 @@ impl PairDistribution {
         });
     }
 
+    /// The distance of two, squared, in the images that are the nearest.
+    fn square(&self, [a, b]: [&Placed; 2], time: f64) -> f64 {
+        let mut apart: [f64; 3] = std::array::from_fn(|axis| a.position[axis] - b.position[axis]);
+        if let Some(flow) = &self.flow {
+            apart[flow.along] -= flow.carried(&self.sides, apart[flow.gradient], time);
+        }
+        (0..self.dimension).map(|axis| self.sides[axis].nearest(apart[axis]).powi(2)).sum()
+    }
+
     fn is_inside(&self, grain: &Placed) -> bool {
-        (0..self.dimension).all(|axis| match self.sides[axis] {
+        let is_inside = |axis: usize| match self.sides[axis] {
             Side::Walls([from, to], ..) => {
                 (from + self.to..=to - self.to).contains(&grain.position[axis])
             }
             _ => true,
-        })
+        };
+        grain.is_there() && (0..self.dimension).all(is_inside)
     }
 
     /// Visits all pairs that may be near each other, once each.
     fn for_each_near(&self, grains: &[Placed], mut visit: impl FnMut(usize, usize)) {
-        let cells = Cells::new(self.dimension, &self.sides, self.to);
+        let cells = Cells::new(self.dimension, &self.sides, self.flow, self.to);
         let Some(cells) = cells else {
             (0..grains.len()).for_each(|i| (0..i).for_each(|k| visit(i, k)));
             return;
@@ -144,13 +180,7 @@ impl PairDistribution {
     }
 
     fn value(&self, sums: &[f64], pair: usize, bin: usize, shell: f64) -> f64 {
-        let [a, b] = self.pairs[pair];
-        let origins = |s: usize| sums[self.offset + s];
-        let expected = if a == b {
-            origins(a) * (self.counts[a] - 1.0)
-        } else {
-            origins(a) * self.counts[b] + origins(b) * self.counts[a]
-        };
+        let expected = sums[self.expected(pair)];
         sums[self.place(pair, bin)] * self.volume / (expected * shell)
     }
 
@@ -166,12 +196,13 @@ impl PairDistribution {
 /// A box in cells that are not narrower than the largest distance.
 struct Cells {
     sides: [Side; 3],
+    flow: Option<Flow>,
     counts: [usize; 3],
 }
 
 impl Cells {
     /// None if an axis has fewer than three, or there are very many.
-    fn new(dimension: usize, sides: &[Side; 3], width: f64) -> Option<Self> {
+    fn new(dimension: usize, sides: &[Side; 3], flow: Option<Flow>, width: f64) -> Option<Self> {
         let mut counts = [1; 3];
         for (axis, count) in counts.iter_mut().enumerate().take(dimension) {
             let [from, to] = sides[axis].range()?;
@@ -180,7 +211,7 @@ impl Cells {
                 return None;
             }
         }
-        Some(Self { sides: *sides, counts })
+        Some(Self { sides: *sides, flow, counts })
     }
 
     fn count(&self) -> usize {
@@ -198,18 +229,33 @@ impl Cells {
         })
     }
 
-    /// The cell and all beside it.
+    /// The cell and all beside it; across a sheared face all that may have come there.
     fn around(&self, cell: usize) -> impl Iterator<Item = usize> + use<> {
-        let counts = self.counts;
+        let (counts, flow) = (self.counts, self.flow);
         let at = [cell % counts[0], cell / counts[0] % counts[1], cell / counts[0] / counts[1]];
         let steps = move |axis: usize| if counts[axis] > 1 { 0..3 } else { 1..2 };
-        let beside =
-            move |axis: usize, step: usize| (at[axis] + counts[axis] + step - 1) % counts[axis];
-        steps(2).flat_map(move |z| {
-            steps(1).flat_map(move |y| {
-                steps(0).map(move |x| {
-                    (beside(2, z) * counts[1] + beside(1, y)) * counts[0] + beside(0, x)
-                })
+        let all = steps(2)
+            .flat_map(move |z| steps(1).flat_map(move |y| steps(0).map(move |x| [x, y, z])));
+        all.flat_map(move |step| {
+            let beside: [usize; 3] = std::array::from_fn(|axis| {
+                (at[axis] + counts[axis] + step[axis] - 1) % counts[axis]
+            });
+            let row = flow.and_then(|flow| {
+                let (from, to) = (at[flow.gradient] + step[flow.gradient], counts[flow.gradient]);
+                (from == 0 || from > to).then_some(flow.along)
+            });
+            // A row is gone through once, whichever of its cells stands beside.
+            let range = match row {
+                Some(along) if step[along] == 1 => 0..counts[along],
+                Some(_) => 0..0,
+                None => 0..1,
+            };
+            range.map(move |place| {
+                let mut beside = beside;
+                if let Some(along) = row {
+                    beside[along] = place;
+                }
+                (beside[2] * counts[1] + beside[1]) * counts[0] + beside[0]
             })
         })
     }

@@ -2,7 +2,7 @@
 
 use super::blocks::Blocks;
 use super::table::{Table, number};
-use crate::scenario::{Axis, Placed, ProfileSpec, Side, Start};
+use crate::scenario::{Axis, Flow, Placed, ProfileSpec, Side, Start, present};
 use anyhow::{Context, Result, bail};
 use std::f64::consts::PI;
 
@@ -17,6 +17,8 @@ pub struct Profile {
     species: Vec<String>,
     /// Of a cut through the box, if that is bounded.
     area: Option<f64>,
+    /// The flow of a sheared box whose gradient is this axis: within a part of it velocities are as in its middle.
+    flow: Option<Flow>,
     /// Where its sums begin.
     offset: usize,
 }
@@ -64,7 +66,7 @@ impl Profile {
         }
         let bins = spec.bins as usize;
         let others = (0..start.dimension).filter(|&other| other != axis);
-        let length = |axis: usize| start.sides[axis].range().map(|[from, to]| to - from);
+        let length = |axis: usize| start.range(axis).map(|[from, to]| to - from);
         let area = others.map(length).try_fold(1.0, |area, length| Some(area * length?));
         let (dimension, species) = (start.dimension, species.to_vec());
         Ok(Self {
@@ -75,6 +77,7 @@ impl Profile {
             dimension,
             species,
             area,
+            flow: start.flow.filter(|flow| flow.gradient == axis),
             offset,
         })
     }
@@ -90,19 +93,24 @@ impl Profile {
 
     /// Adds a state. Grains beyond the ends belong to nothing.
     pub fn add(&self, sums: &mut [f64], grains: &[Placed], species: &[u16]) {
-        for (k, grain) in grains.iter().enumerate() {
+        for (k, grain) in present(grains) {
             let bin = ((grain.position[self.axis] - self.from) / self.width).floor();
             if !(bin >= 0.0 && bin < self.bins as f64) {
                 continue;
             }
             let place = self.place(species.get(k).copied().map_or(0, usize::from), bin as usize);
+            let middle = self.from + (bin + 0.5) * self.width;
+            let mut velocity = grain.velocity;
+            if let Some(flow) = &self.flow {
+                velocity[flow.along] -= flow.rate * (grain.position[self.axis] - middle);
+            }
             let sums = &mut sums[place..place + SUMS];
             sums[0] += 1.0;
             sums[MASS] += grain.mass;
             sums[VOLUME] += volume(grain.radius, self.dimension);
             for a in 0..self.dimension {
-                sums[MOMENTUM + a] += grain.mass * grain.velocity[a];
-                sums[SQUARE + a] += grain.mass * grain.velocity[a] * grain.velocity[a];
+                sums[MOMENTUM + a] += grain.mass * velocity[a];
+                sums[SQUARE + a] += grain.mass * velocity[a] * velocity[a];
             }
         }
     }

@@ -126,6 +126,14 @@ fn second_sonine(layout: &Layout, species: usize, of: &str) -> Quantity {
     })
 }
 
+/// How many grains there are, in the mean of all states.
+fn grains(layout: &Layout) -> impl Fn(&[f64]) -> f64 + Clone + use<> {
+    let places: Vec<usize> =
+        (0..layout.names.len()).map(|s| layout.state(s, State::Count)).collect();
+    let states = layout.states();
+    move |sums| places.iter().map(|&place| sums[place]).sum::<f64>() / sums[states]
+}
+
 /// The unit of a pressure in so many dimensions.
 const PRESSURES: [&str; 3] = ["N", "N/m", "Pa"];
 
@@ -144,9 +152,9 @@ fn stresses(layout: &Layout) -> Vec<Quantity> {
     let contacts = move |sums: &[f64]| {
         virial.iter().map(|&place| sums[place]).sum::<f64>() / (d as f64 * sums[Layout::TIME])
     };
-    let grains = layout.masses.iter().map(|(_, count)| *count as f64).sum::<f64>();
+    let grains = grains(layout);
     let temperature = temperature(layout, &(0..layout.names.len()).collect::<Vec<_>>(), ALL).value;
-    let moving = move |sums: &[f64]| grains * temperature(sums);
+    let moving = move |sums: &[f64]| grains(sums) * temperature(sums);
     let both = (contacts.clone(), std::rc::Rc::new(moving));
     let again = both.1.clone();
     let mut list = vec![
@@ -166,13 +174,12 @@ fn stresses(layout: &Layout) -> Vec<Quantity> {
 
 /// Rates, mean free time, and what contacts of two grains are like.
 fn contacts(layout: &Layout) -> Vec<Quantity> {
-    let grains: usize = layout.masses.iter().map(|(_, count)| count).sum();
-    let grains = grains as f64;
+    let grains = grains(layout);
     let every: Vec<usize> =
         (0..layout.pairs()).map(|pair| layout.contact(pair, Contact::Count)).collect();
     let rate = move |sums: &[f64]| {
         let count: f64 = every.iter().map(|&place| sums[place]).sum();
-        2.0 * count / (grains * sums[Layout::TIME])
+        2.0 * count / (grains(sums) * sums[Layout::TIME])
     };
     let again = rate.clone();
     let mut list = vec![

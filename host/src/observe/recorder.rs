@@ -7,6 +7,7 @@ use super::pair_distribution::PairDistribution;
 use super::profile::Profile;
 use super::quantities::{self, ALL, Quantity};
 use super::state;
+use super::surface::{Cycle, Surface};
 use super::table::{Table, number};
 use crate::columns::Cell;
 use crate::scenario::{ObserveSpec, Placed, Scenario, Start};
@@ -43,6 +44,7 @@ pub struct Recorder {
     profile: Option<Profile>,
     pairs: Option<PairDistribution>,
     correlations: Option<Correlations>,
+    surface: Option<Surface>,
     width: usize,
     sums: Sums,
 }
@@ -56,6 +58,14 @@ struct Sums {
     /// Looks after the first.
     looks: u64,
     ways: Ways,
+    cycle: Cycle,
+}
+
+impl Sums {
+    fn new(width: usize) -> Self {
+        let (ways, cycle) = (Ways::default(), Cycle::default());
+        Self { blocks: Blocks::new(width), span: None, looks: 0, ways, cycle }
+    }
 }
 
 impl Recorder {
@@ -79,13 +89,15 @@ impl Recorder {
         let correlations =
             correlations.map(|spec| Correlations::new(spec, start, looks.every, width));
         width += correlations.as_ref().map_or(0, Correlations::width);
+        let surface = spec.surface.as_ref();
+        let surface = surface.map(|spec| Surface::new(spec, start, looks.every, width));
+        let surface = surface.transpose()?;
+        width += surface.as_ref().map_or(0, Surface::width);
         let sums = match saved {
             Some(bytes) => postcard::from_bytes(bytes)?,
-            None => {
-                Sums { blocks: Blocks::new(width), span: None, looks: 0, ways: Ways::default() }
-            }
+            None => Sums::new(width),
         };
-        Ok(Some(Self { layout, looks, profile, pairs, correlations, width, sums }))
+        Ok(Some(Self { layout, looks, profile, pairs, correlations, surface, width, sums }))
     }
 
     /// All that was measured, as bytes.
@@ -108,28 +120,34 @@ impl Recorder {
         sums.iter_mut().zip(tally).for_each(|(sum, more)| *sum = *more);
         sums[Layout::TIME] = if tally.is_empty() { 0.0 } else { time - to };
         state::add(&mut sums, &self.layout, grains);
-        self.add_functions(&mut sums, grains);
+        self.add_functions(&mut sums, grains, time);
         self.sums.looks += 1;
         self.sums.blocks.add(&sums);
     }
 
-    fn add_functions(&mut self, sums: &mut [f64], grains: &[Placed]) {
+    fn add_functions(&mut self, sums: &mut [f64], grains: &[Placed], time: f64) {
         if let Some(profile) = &self.profile {
             profile.add(sums, grains, &self.layout.species);
         }
         let looks = self.sums.looks;
         if let Some(pairs) = self.pairs.as_ref().filter(|pairs| looks.is_multiple_of(pairs.one_in))
         {
-            pairs.add(sums, grains, &self.layout);
+            pairs.add(sums, grains, &self.layout, time);
         }
         if let Some(correlations) = &self.correlations {
             correlations.add(sums, &mut self.sums.ways, grains);
+        }
+        if let Some(surface) = &self.surface {
+            surface.add(sums, &mut self.sums.cycle, grains);
         }
     }
 
     /// Every quantity with its mean, those left out that nothing was seen of.
     pub fn means(&self) -> Vec<(Quantity, Mean)> {
+        let states = self.layout.states();
+        let surface = self.surface.as_ref().map(|surface| surface.quantities(states));
         let all = quantities::all(&self.layout).into_iter().chain(self.diffusion());
+        let all = all.chain(surface.into_iter().flatten());
         let with_mean = |quantity: Quantity| {
             let mean = self.sums.blocks.mean(|sums| quantity.of(sums));
             (quantity, mean)
@@ -151,7 +169,8 @@ impl Recorder {
         let profile = self.profile.as_ref().map(|p| p.table(blocks, self.layout.states()));
         let pairs = self.pairs.as_ref().map(|pairs| pairs.table(blocks));
         let correlations = self.correlations.as_ref().map(|c| c.table(blocks, ways));
-        let functions = [profile, pairs, correlations];
+        let surface = self.surface.as_ref().map(|s| s.table(blocks, self.layout.states()));
+        let functions = [profile, pairs, correlations, surface];
         [self.averages(), self.series()]
             .into_iter()
             .chain(functions.into_iter().flatten())

@@ -1,29 +1,29 @@
 //! What do contacts transfer and cost? Reads every event of a world, just before and just after; writes sums.
 
-use super::layout::{Contact, Layout, Wall};
-use carom::law::Outcome;
+use super::given::Given;
+use super::layout::{Contact, Layout};
+use carom::law::{Outcome, Rule};
 use carom::nalgebra::SVector;
 use carom::particle::Partner;
-use carom::world::{Event, EventKind, EventOutcome, Relative};
-use carom::{Observer, View};
+use carom::world::{Event, EventKind, EventOutcome, Relative, Transfer};
+use carom::{Observer, View, World};
 
 /// Sums over the contacts of a world.
 ///
 /// The momentum that a contact of some duration transfers is counted where velocities change, at its
 /// beginning and its end; with velocities as the world shows them in between, of which the stress of
-/// motion is made, the two give the whole stress exactly. What clustered grains do to each other is not
-/// seen here.
+/// motion is made, the two give the whole stress exactly. Clustered grains say in each step what they give each
+/// other; those that sleep are asked at each look ([`Tally::rest`]). Restitution and duration of contacts in clusters
+/// are not known, and left empty.
 #[derive(Clone, Debug)]
 pub struct Tally<const D: usize> {
-    layout: Layout,
-    sums: Vec<f64>,
-    /// Where the sums of the first pair of species and those of the first wall begin.
-    contacts: usize,
-    walls: usize,
+    given: Given,
     /// What is about to happen.
     touch: Option<Touch<D>>,
     /// Contacts under way that an event may end.
     ending: Vec<Ending<D>>,
+    /// Steps that nobody observed, as many as were counted.
+    unseen: Option<u64>,
 }
 
 type Vector<const D: usize> = SVector<f64, D>;
@@ -61,60 +61,48 @@ enum Ending<const D: usize> {
 impl<const D: usize> Tally<D> {
     /// Nothing has happened.
     pub fn new(layout: &Layout) -> Self {
-        Self {
-            layout: layout.clone(),
-            sums: vec![0.0; layout.tally_width()],
-            contacts: layout.contact(0, Contact::Count),
-            walls: layout.wall(0, Wall::Count),
-            touch: None,
-            ending: Vec::with_capacity(4),
-        }
+        Self { given: Given::new(layout), touch: None, ending: Vec::with_capacity(4), unseen: None }
     }
 
     /// The sums so far.
     pub fn sums(&self) -> &[f64] {
-        &self.sums
+        self.given.sums()
     }
 
     /// Goes on from these sums.
     pub fn set(&mut self, sums: &[f64]) {
-        self.sums.clear();
-        self.sums.extend_from_slice(sums);
+        self.given.set(sums);
     }
 
-    /// The sums since the last call.
-    pub fn take(&mut self) -> Vec<f64> {
-        let width = self.sums.len();
-        std::mem::replace(&mut self.sums, vec![0.0; width])
+    /// The sums since the last call; the next are from now on.
+    pub fn take(&mut self, now: f64) -> Vec<f64> {
+        self.given.take(now)
     }
 
-    /// Grains moved in a cluster, whose forces are not seen: what contacts gave meanwhile is not known.
-    #[cold]
-    fn withhold(&mut self) {
-        self.sums.iter_mut().skip(1).for_each(|sum| *sum = f64::NAN);
+    /// Adds what sleeping grains have given each other and the walls since the last call of [`Tally::take`].
+    ///
+    /// Who woke meanwhile is not among them: what a grain gives between a look and its waking is lost.
+    pub fn rest<R: Rule<f64>>(&mut self, world: &World<'_, f64, D, R>) {
+        self.look_for_unseen(&world.view());
+        let (now, last) = (world.now().as_f64(), self.given.since());
+        world.for_each_resting_contact(|contact, since| {
+            let span = now - last.max(since.as_f64());
+            self.gave(&Transfer { impulse: contact.impulse * span, ..*contact });
+        });
     }
 
-    /// The sums over contacts of two grains.
-    #[inline]
-    fn contacts_of(&mut self, a: usize, b: usize) -> &mut [f64] {
-        let species = |k: usize| self.layout.species.get(k).copied().map_or(0, usize::from);
-        let at = self.contacts + Contact::COUNT * self.layout.pair(species(a), species(b));
-        self.sums.get_mut(at..at + Contact::COUNT).unwrap_or_default()
-    }
-
-    /// The sums over contacts with a plane.
-    fn wall(&mut self, plane: usize) -> &mut [f64] {
-        let at = self.walls + Wall::COUNT * plane;
-        self.sums.get_mut(at..at + Wall::COUNT).unwrap_or_default()
-    }
-
-    /// Momentum that a grain was given by another one at this separation, or half of what both were.
-    #[inline]
-    fn transfer(&mut self, separation: &Vector<D>, change: &Vector<D>) {
-        let Some(virial) = self.sums.get_mut(1..1 + D * D) else { return };
-        for (row, r) in virial.chunks_exact_mut(D).zip(separation.iter()) {
-            row.iter_mut().zip(change.iter()).for_each(|(sum, p)| *sum += r * p);
+    /// Steps of clusters that were not observed: what contacts gave meanwhile is not known.
+    fn look_for_unseen(&mut self, view: &View<'_, f64, D>) {
+        let now = view.statistics().cut_steps;
+        if self.unseen.replace(now).is_some_and(|before| before != now) {
+            self.given.forget();
         }
+    }
+
+    /// What two gave each other in a cluster or at rest, where it is not known how long a contact lasts.
+    fn gave(&mut self, contact: &Transfer<f64, D>) {
+        let unknown = if contact.approach.is_some() { f64::NAN } else { 0.0 };
+        self.given.add(contact, unknown);
     }
 
     /// A collision of two grains, or the beginning of a contact: they have this relative velocity now.
@@ -127,7 +115,7 @@ impl<const D: usize> Tally<D> {
         how: &EventOutcome<f64>,
     ) {
         let Relative { separation, velocity, reduced_mass } = before;
-        self.transfer(separation, &((after - velocity) * *reduced_mass));
+        self.given.transfer(separation, &((after - velocity) * *reduced_mass));
         let approach = -separation.dot(velocity) / separation.norm_squared().sqrt();
         let (restitution, duration, lasting) = match how {
             EventOutcome::ContactBegan(Outcome { restitution, duration, .. }) => {
@@ -138,7 +126,7 @@ impl<const D: usize> Tally<D> {
         };
         let loss = 0.5 * reduced_mass * (velocity.norm_squared() - after.norm_squared());
         let more = [1.0, lasting, loss, approach, restitution, duration];
-        self.contacts_of(a, b).iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+        self.given.contacts_of(a, b).iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
     }
 
     /// What a plane and a grain gave each other.
@@ -147,8 +135,7 @@ impl<const D: usize> Tally<D> {
         let Some(plane) = view.boundary().planes().get(ground.plane) else { return };
         let push = plane.normal.dot(&(after - ground.velocity)) * ground.mass;
         let loss = 0.5 * ground.mass * (ground.velocity.norm_squared() - after.norm_squared());
-        let more = [count, push, loss];
-        self.wall(ground.plane).iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+        self.given.push(ground.plane, [count, push, loss]);
     }
 
     /// A contact may have ended; if it has not the velocity is the same.
@@ -157,9 +144,15 @@ impl<const D: usize> Tally<D> {
             Ending::Plane(ground) => self.pushed(ground, view, 0.0),
             Ending::Grain { grain, with, mass, velocity, separation } => {
                 let Some(after) = view.velocity(*grain) else { return };
-                self.transfer(separation, &((after - velocity) * (0.5 * mass)));
-                let loss = 0.5 * mass * (velocity.norm_squared() - after.norm_squared());
-                if let Some(sum) = self.contacts_of(*grain, *with).get_mut(Contact::Loss as usize) {
+                self.given.transfer(separation, &((after - velocity) * (0.5 * mass)));
+                // The two of a contact have one velocity, but for images of a sheared box: there theirs is none.
+                let loss = match view.boundary().shear() {
+                    Some(_) => -0.5 * mass * (after - velocity).norm_squared(),
+                    None => 0.5 * mass * (velocity.norm_squared() - after.norm_squared()),
+                };
+                if let Some(sum) =
+                    self.given.contacts_of(*grain, *with).get_mut(Contact::Loss as usize)
+                {
                     *sum += loss;
                 }
             }
@@ -183,6 +176,19 @@ impl<const D: usize> Tally<D> {
         let mutual = view.contact(other).is_some_and(|(with, _)| with.as_grain() == Some(grain));
         self.ending.extend(mutual.then(|| of(other, grain)).flatten());
     }
+}
+
+/// How fast a grain moves against another, in the images that are the nearest.
+#[inline]
+fn relative_velocity<const D: usize>(
+    view: &View<'_, f64, D>,
+    a: usize,
+    b: usize,
+) -> Option<Vector<D>> {
+    if view.boundary().shear().is_some() {
+        return view.relative(a, b).map(|relative| relative.velocity);
+    }
+    Some(view.velocity(a)? - view.velocity(b)?)
 }
 
 fn touch<const D: usize>(grain: usize, with: Partner, view: &View<'_, f64, D>) -> Option<Touch<D>> {
@@ -220,9 +226,14 @@ impl<const D: usize> Observer<f64, D> for Tally<D> {
     }
 
     #[inline]
+    fn transferred(&mut self, transfer: &Transfer<f64, D>) {
+        self.gave(transfer);
+    }
+
+    #[inline]
     fn after(&mut self, event: &Event<f64>, view: View<'_, f64, D>) {
         if event.kind == EventKind::Step {
-            self.withhold();
+            self.look_for_unseen(&view);
         }
         if !matches!(event.kind, EventKind::Collision | EventKind::ContactEnd) {
             return;
@@ -235,8 +246,8 @@ impl<const D: usize> Observer<f64, D> for Tally<D> {
                 self.ending.clear();
                 match touch {
                     Touch::Grains { a, b, before } => {
-                        if let (Some(v), Some(w)) = (view.velocity(a), view.velocity(b)) {
-                            self.touched([a, b], &before, &(v - w), how);
+                        if let Some(after) = relative_velocity(&view, a, b) {
+                            self.touched([a, b], &before, &after, how);
                         }
                     }
                     Touch::Plane(ground) => self.pushed(&ground, &view, 1.0),

@@ -52,7 +52,10 @@ pub fn ending(file: &std::path::Path) -> Result<Format> {
 const FONTS: &str = "Noto Sans, DejaVu Sans, Arial, Helvetica, sans-serif";
 
 /// The scene as a stand-alone SVG document.
-fn svg(scene: &Scene) -> Result<String> {
+///
+/// # Errors
+/// When pixels in it make no picture.
+pub fn svg(scene: &Scene) -> Result<String> {
     let (w, h) = (scene.width, scene.height);
     let mut text = String::new();
     writeln!(

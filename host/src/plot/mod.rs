@@ -7,6 +7,7 @@
 
 mod axes;
 mod file;
+mod grains;
 pub mod matrix;
 pub mod methods;
 mod pair;
@@ -15,5 +16,6 @@ mod scene;
 pub mod text;
 
 pub use axes::{Axis, Field, NORMAL, Panel, SMALL, colour_bar};
-pub use file::{Format, ending, save};
+pub use file::{Format, ending, save, svg};
+pub use grains::grains;
 pub use scene::{Colour, Item, Rect, Run, Scene, Stroke};

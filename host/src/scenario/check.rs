@@ -1,13 +1,14 @@
 //! Can this scenario be run? Reads a scenario whose fields are all there; writes a list of what is wrong.
 
-use super::check_fields::{density, material, radius};
+use super::check_fields::{density, made_of, material, radius};
 use super::check_laws::materials;
 use super::grains::{Gas, GrainSpec};
 use super::laws::Laws;
+use super::obstacle::ObstacleSpec;
 use super::problem::Problems;
-use super::sides::{SideSpec, SurfaceSpec};
+use super::sides::SideSpec;
 use super::spec::{MethodName, Scenario};
-use super::{check_drive, check_species, memory};
+use super::{check_drive, check_friction, check_obstacles, check_shear, check_species, memory};
 
 /// Everything that is wrong with it.
 pub fn check(scenario: &Scenario) -> Problems {
@@ -35,6 +36,8 @@ pub fn check(scenario: &Scenario) -> Problems {
     problems.not_negative("options.tc", scenario.options.tc);
     let laws = materials(scenario, &mut problems);
     sides(scenario, &laws, &mut problems);
+    check_obstacles::check(scenario, &laws, &mut problems);
+    check_friction::check(scenario, &mut problems);
     methods(scenario, &mut problems);
     if scenario.grains.is_empty() && scenario.gas.is_none() && scenario.species.is_empty() {
         problems.say("", "no grains: add [[grain]] entries, [[species]] or a [gas]");
@@ -47,6 +50,7 @@ pub fn check(scenario: &Scenario) -> Problems {
     }
     check_species::check(scenario, &laws, &mut problems);
     check_drive::check(scenario, &mut problems);
+    check_shear::check(scenario, &mut problems);
     // Who is called by a wrong name seems to have no law, either.
     let is_about_names = |path: &str| path.ends_with(".between") || path.ends_with(".name");
     if !problems.0.iter().any(|problem| is_about_names(&problem.path)) {
@@ -98,12 +102,13 @@ fn sides(scenario: &Scenario, laws: &Laws, problems: &mut Problems) {
             SideSpec::Plate { at, .. } => problems.finite(&format!("{path}.at"), &[*at]),
             SideSpec::Open => {}
         }
-        if side.surface().is_some() {
-            made_of(&path, side, laws, problems);
+        if let Some(made) = side.surface() {
+            made_of(&path, made, laws, problems);
         }
         if let Some(vibration) = side.vibration() {
             vibrates(&path, vibration, problems);
         }
+        goes_on(&path, side, scenario.duration, problems);
     }
 }
 
@@ -112,6 +117,25 @@ fn vibrates(path: &str, [amplitude, frequency, phase]: [f64; 3], problems: &mut 
     problems.not_negative(&format!("{path}.amplitude"), amplitude);
     if amplitude > 0.0 {
         problems.positive(&format!("{path}.frequency"), frequency);
+    }
+}
+
+/// Walls that go on steadily vibrate no more, and must not meet.
+fn goes_on(path: &str, side: &SideSpec, duration: Option<f64>, problems: &mut Problems) {
+    let [low, high] = side.moving();
+    if low == 0.0 && high == 0.0 {
+        return;
+    }
+    let moving = format!("{path}.moving");
+    problems.finite(&moving, &[low, high]);
+    if side.vibration().is_some_and(|[amplitude, ..]| amplitude != 0.0) {
+        problems.add(&moving, "is given, and so is amplitude: give one of them");
+    }
+    let SideSpec::Walls { from: Some(from), to: Some(to), .. } = side else { return };
+    let meet = (to - from) / (low - high);
+    if low > high && duration.is_some_and(|duration| meet <= duration) {
+        let rest = format!("is [{low}, {high}]: the walls meet at t = {meet} s, before duration");
+        problems.add(&moving, rest);
     }
 }
 
@@ -126,33 +150,6 @@ fn range(path: &str, from: Option<f64>, to: Option<f64>, problems: &mut Problems
             problems.say(path, format!("{path}: give both from and to [m]"));
         }
         _ => {}
-    }
-}
-
-fn made_of(path: &str, side: &SideSpec, laws: &Laws, problems: &mut Problems) {
-    let (surface, e, named) = side.surface().unwrap_or_default();
-    let restitution = format!("{path}.restitution");
-    if named.is_some() {
-        material(laws, path, named, problems);
-        if surface.is_some() || e.is_some() {
-            let rest =
-                "is given, and so is surface or restitution: the material says what walls do";
-            problems.add(format!("{path}.material"), rest);
-        }
-        return;
-    }
-    match (surface, e) {
-        (_, Some(e)) if surface != Some(SurfaceSpec::Soft) => {
-            problems.fraction(&restitution, e);
-        }
-        (Some(SurfaceSpec::Hard), None) => {
-            problems.say(&restitution, format!("{restitution}: hard walls need one"));
-        }
-        (_, Some(_)) => {
-            let message = format!("{restitution}: soft walls follow the law and have none");
-            problems.say(&restitution, message);
-        }
-        (_, None) => {}
     }
 }
 
@@ -174,6 +171,15 @@ fn methods(scenario: &Scenario, problems: &mut Problems) {
         }
         if is_force_based && !scenario.drives.is_empty() {
             say(method, "grains that nothing drives, but there is [[drive]]");
+        }
+        if is_force_based && scenario.has_friction() {
+            say(method, "smooth grains, but there is friction");
+        }
+        if is_force_based && !scenario.obstacles.is_empty() {
+            say(method, "a box without obstacles, but there is [[obstacle]]");
+        }
+        if is_force_based && scenario.sides.shear.is_some() {
+            say(method, "a box that is not sheared, but there is box.shear");
         }
         if is_force_based && !has_constant && scenario.only_law().is_none() {
             say(method, "one law for all, but there are several");
@@ -229,12 +235,12 @@ fn touches(scenario: &Scenario, laws: &Laws, problems: &mut Problems) {
     used.extend(scenario.species.iter().filter_map(|species| named(&species.material)));
     used.sort_unstable();
     used.dedup();
-    let of_wall = |side: &SideSpec| {
-        let (_, _, material) = side.surface()?;
+    let sides = scenario.sides.named().into_iter().filter_map(|(_, side)| side.surface());
+    let made = sides.chain(scenario.obstacles.iter().map(ObstacleSpec::made));
+    let number = |material: Option<&String>| {
         laws.number(material.map(|name| name.as_str()).or(Some(""))).ok()
     };
-    let walls: Vec<usize> =
-        scenario.sides.named().into_iter().filter_map(|(_, side)| of_wall(side)).collect();
+    let walls: Vec<usize> = made.filter_map(|(_, _, material)| number(material)).collect();
     for (k, &a) in used.iter().enumerate() {
         let others = used[k..].iter().chain(&walls);
         for &b in others.filter(|&&b| laws.between(a, b).is_none()) {

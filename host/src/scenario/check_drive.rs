@@ -12,6 +12,9 @@ pub fn check(scenario: &Scenario, problems: &mut Problems) {
         let path = format!("drive.{k}");
         let below = |field: &str| format!("{path}.{field}");
         let d = scenario.dimension;
+        if let Some(grain) = is_gone(&scenario.drives, k) {
+            problems.add(below("grain"), format!("is {grain}, which is taken out before"));
+        }
         match drive {
             DriveSpec::ThermalWall { axis, side, temperature } => {
                 problems.positive(&below("temperature"), *temperature);
@@ -40,7 +43,33 @@ pub fn check(scenario: &Scenario, problems: &mut Problems) {
                 let field = if matches!(drive, DriveSpec::Kick { .. }) { "by" } else { "to" };
                 problems.vector(&below(field), v, d);
             }
+            DriveSpec::Remove { time, .. } => {
+                problems.not_negative(&below("time"), *time);
+            }
         }
+    }
+}
+
+/// The grain that something is to happen to when it has been taken out already.
+fn is_gone(drives: &[DriveSpec], which: usize) -> Option<usize> {
+    let (time, grain) = happens(&drives[which])?;
+    let mut removals = drives.iter().enumerate().filter(|(k, drive)| {
+        let is_removal = matches!(drive, DriveSpec::Remove { .. });
+        *k != which && is_removal && happens(drive).is_some_and(|(_, one)| one == grain)
+    });
+    let before = |(k, drive): (usize, &DriveSpec)| {
+        happens(drive).is_some_and(|(at, _)| at < time || at == time && k < which)
+    };
+    removals.any(before).then_some(grain)
+}
+
+/// When something happens to one grain, and to which.
+fn happens(drive: &DriveSpec) -> Option<(f64, usize)> {
+    match drive {
+        DriveSpec::Kick { time, grain, .. }
+        | DriveSpec::SetVelocity { time, grain, .. }
+        | DriveSpec::Remove { time, grain } => Some((*time, *grain)),
+        _ => None,
     }
 }
 

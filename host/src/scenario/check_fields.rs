@@ -3,6 +3,7 @@
 use super::grains::RadiusSpec;
 use super::laws::Laws;
 use super::problem::Problems;
+use super::sides::{MadeSpec, SurfaceSpec};
 use super::spec::Scenario;
 
 /// The number of a material that is named somewhere, if there is one.
@@ -60,5 +61,37 @@ pub fn radius(path: &str, radius: &RadiusSpec, problems: &mut Problems) {
                 problems.positive(&format!("{path}.list.{k}"), *radius);
             }
         }
+    }
+}
+
+/// Whether walls or obstacles are made of something, and of one thing only.
+pub fn made_of(
+    path: &str,
+    (surface, e, named): MadeSpec<'_>,
+    laws: &Laws,
+    problems: &mut Problems,
+) {
+    let restitution = format!("{path}.restitution");
+    if named.is_some() {
+        material(laws, path, named, problems);
+        if surface.is_some() || e.is_some() {
+            let rest =
+                "is given, and so is surface or restitution: the material says what walls do";
+            problems.add(format!("{path}.material"), rest);
+        }
+        return;
+    }
+    match (surface, e) {
+        (_, Some(e)) if surface != Some(SurfaceSpec::Soft) => {
+            problems.fraction(&restitution, e);
+        }
+        (Some(SurfaceSpec::Hard), None) => {
+            problems.say(&restitution, format!("{restitution}: hard walls need one"));
+        }
+        (_, Some(_)) => {
+            let message = format!("{restitution}: soft walls follow the law and have none");
+            problems.say(&restitution, message);
+        }
+        (_, None) => {}
     }
 }

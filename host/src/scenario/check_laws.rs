@@ -18,6 +18,13 @@ fn law(path: &str, law: &LawSpec, problems: &mut Problems) {
             problems.must(&below("poisson"), poisson, is_right, "above -1 and at most 0.5");
             problems.not_negative(&below("dissipation"), dissipation);
         }
+        LawSpec::L94 { stiffness, beta, damping, gamma } => {
+            problems.positive(&below("stiffness"), stiffness);
+            problems.must(&below("beta"), beta, (0.0..=15.0).contains(&beta), "from 0 to 15");
+            problems.not_negative(&below("damping"), damping);
+            let is_right = (0.0..=1.0 + beta).contains(&gamma);
+            problems.must(&below("gamma"), gamma, is_right, "from 0 to 1 + beta");
+        }
         LawSpec::Constant { restitution } => {
             problems.fraction(&below("restitution"), restitution);
         }

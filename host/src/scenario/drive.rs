@@ -68,6 +68,13 @@ pub enum DriveSpec {
         /// The velocity (m/s).
         to: Vec<f64>,
     },
+    /// A grain is taken out. The others keep their numbers.
+    Remove {
+        /// When (s).
+        time: f64,
+        /// Which: they are counted from 0, in the order of the file.
+        grain: usize,
+    },
 }
 
 const fn steps() -> u32 {

@@ -99,7 +99,9 @@ impl<'s> Page<'s> {
             }
             let heading = match heading {
                 "box" | "options" | "gas" | "law" | "observe" => format!("[{heading}]"),
-                "profile" | "pair_distribution" | "correlations" => format!("[observe.{heading}]"),
+                "profile" | "pair_distribution" | "correlations" | "surface" => {
+                    format!("[observe.{heading}]")
+                }
                 _ => heading.to_owned(),
             };
             self.waiting.push((heading.clone(), name.to_owned()));
@@ -132,8 +134,8 @@ impl<'s> Page<'s> {
                 }
                 let of = self.type_of(item, heading);
                 match schema["minItems"].as_u64() {
-                    Some(length) => format!("list of {length} {of}s"),
-                    None => format!("list of {of}s"),
+                    Some(length) => format!("list of {length} {}", plural(&of)),
+                    None => format!("list of {}", plural(&of)),
                 }
             }
             Some("integer") => "whole number".to_owned(),
@@ -153,6 +155,11 @@ impl<'s> Page<'s> {
         let first = self.waiting.iter().find(|(_, other)| other == name);
         first.map_or(heading, |(heading, _)| heading).to_owned()
     }
+}
+
+/// More than one of something.
+fn plural(of: &str) -> String {
+    of.strip_prefix("list of ").map_or_else(|| format!("{of}s"), |what| format!("lists of {what}"))
 }
 
 /// The schemas of which one must fit, "nothing" left out.

@@ -20,6 +20,8 @@ pub struct Told {
     pub mass: Option<f64>,
     /// What kind it is.
     pub species: Option<String>,
+    /// When.
+    pub time: Option<f64>,
 }
 
 /// The columns that are understood, by the names that programs give them.
@@ -106,7 +108,8 @@ impl Table {
             bail!("there is no column x");
         }
         let speeds = ["vx", "vy", "vz"].map(|name| self.column(name));
-        let [radius, mass, species] = ["radius", "mass", "species"].map(|name| self.column(name));
+        let [radius, mass, species, time] =
+            ["radius", "mass", "species", "time"].map(|name| self.column(name));
         let vector = |row: usize, columns: [Option<usize>; 3]| -> Result<[f64; 3]> {
             let mut vector = [0.0; 3];
             for (x, column) in vector.iter_mut().zip(columns) {
@@ -122,6 +125,7 @@ impl Table {
                 radius: number(radius)?,
                 mass: number(mass)?,
                 species: species.map(|column| self.rows[row][column].trim().to_owned()),
+                time: number(time)?,
             })
         };
         self.of_frame(frame)?.into_iter().map(one).collect()
@@ -172,13 +176,13 @@ fn xyz(file: &Path, frame: Option<usize>) -> Result<Vec<Told>> {
             bail!("frame {number} has {} grains, its first line says {count}", rows.len());
         }
         last = Some((comment, rows));
-        if frame == Some(number) {
+        number += 1;
+        if frame.is_some_and(|frame| frame < number) {
             break;
         }
-        number += 1;
     }
     let (comment, rows) = last.context("there is no frame")?;
-    if frame.is_some_and(|frame| frame != number) {
+    if frame.is_some_and(|frame| frame >= number) {
         bail!("there is no frame {}, the last one is {}", frame.unwrap_or(0), number - 1);
     }
     let head = columns(comment);
@@ -187,7 +191,10 @@ fn xyz(file: &Path, frame: Option<usize>) -> Result<Vec<Told>> {
     if let Some(row) = rows.iter().position(|row| row.len() < head.len()) {
         bail!("grain {row} has {} columns, must have {}", rows[row].len(), head.len());
     }
-    Table { head, rows }.grains(None)
+    let time = comment.split_whitespace().find_map(|word| word.strip_prefix("Time="));
+    let time = time.and_then(|word| word.parse().ok());
+    let grains = Table { head, rows }.grains(None)?;
+    Ok(grains.into_iter().map(|grain| Told { time, ..grain }).collect())
 }
 
 /// The columns of an extended XYZ comment, `Properties=species:S:1:pos:R:3`; those of plain XYZ without it.

@@ -21,6 +21,9 @@ pub struct GrainSpec {
     /// Velocity (m/s); at rest if left out.
     #[serde(default)]
     pub moving: Vec<f64>,
+    /// Angular velocity (1/s), where there is friction: one number in two dimensions, three in three; none if left out.
+    #[serde(default)]
+    pub rotating: Vec<f64>,
 }
 
 /// Many grains, placed at random without overlap: the short form of one `[[species]]`.

@@ -1,5 +1,6 @@
 //! Which laws can a scenario name, for materials and for pairs of them? Reads nothing; writes nothing, names the fields and their values.
 
+use super::friction::FrictionSpec;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -22,6 +23,20 @@ pub enum LawSpec {
         poisson: f64,
         /// A (s).
         dissipation: f64,
+    },
+    /// Any powers, F = K x^(1 + β) + D m x^γ ẋ until the overlap x is none, so that the dashpot may pull at the end
+    /// (L94, Eqs. 2 to 8); m is twice the reduced mass of two grains, and a grain's own at a wall.
+    L94 {
+        /// K (N/m^(1 + β)).
+        stiffness: f64,
+        /// β; 0, the default, is a linear spring, 1/2 a sphere.
+        #[serde(default)]
+        beta: f64,
+        /// D (1/(s m^γ)).
+        damping: f64,
+        /// γ; 0, the default, is a linear dashpot.
+        #[serde(default)]
+        gamma: f64,
     },
     /// Hard spheres with a constant coefficient of restitution: event-driven only.
     Constant {
@@ -49,6 +64,8 @@ pub struct MaterialSpec {
     pub law: Option<LawSpec>,
     /// The same as `law = { kind = "constant", restitution = … }`.
     pub restitution: Option<f64>,
+    /// What two surfaces of this material do across the line of centres.
+    pub friction: Option<FrictionSpec>,
 }
 
 /// What two materials do when they touch each other.
@@ -61,4 +78,6 @@ pub struct PairLawSpec {
     pub law: Option<LawSpec>,
     /// The same as `law = { kind = "constant", restitution = … }`.
     pub restitution: Option<f64>,
+    /// What their surfaces do across the line of centres.
+    pub friction: Option<FrictionSpec>,
 }

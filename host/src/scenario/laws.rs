@@ -1,5 +1,6 @@
 //! Which law holds between two materials? Reads materials, pairs and the law for all others; writes nothing.
 
+use super::friction::FrictionSpec;
 use super::law::LawSpec;
 use super::shape::{any_of, near};
 use super::spec::Scenario;
@@ -10,6 +11,7 @@ pub struct Laws {
     /// The materials' names; one without a name if the scenario has none.
     pub names: Vec<String>,
     between: Vec<Option<LawSpec>>,
+    friction: Vec<Option<FrictionSpec>>,
 }
 
 /// A law, or its short form.
@@ -29,20 +31,25 @@ impl Laws {
             (names, own) = (vec![String::new()], vec![None]);
         }
         let count = names.len();
-        let mut between = vec![scenario.law; count * count];
-        for (a, law) in own.iter().enumerate() {
-            for (b, other) in own.iter().enumerate().filter(|(_, other)| *other == law) {
-                between[a * count + b] = other.or(scenario.law);
-            }
-        }
+        let mut rough: Vec<_> = scenario.materials.iter().map(|m| m.friction).collect();
+        rough.resize(count, None);
+        let mut between = of_pairs(&own, scenario.law);
+        let mut friction = of_pairs(&rough, scenario.friction);
         for pair in &scenario.pairs {
             let found = pair.between.each_ref().map(|name| names.iter().position(|n| n == name));
             if let [Some(a), Some(b)] = found {
                 let law = of(pair.law, pair.restitution);
                 (between[a * count + b], between[b * count + a]) = (law, law);
+                let surfaces = pair.friction.or(friction[a * count + b]);
+                (friction[a * count + b], friction[b * count + a]) = (surfaces, surfaces);
             }
         }
-        Self { names, between }
+        Self { names, between, friction }
+    }
+
+    /// Whether there are laws whose contacts are integrated from the touch on, step by step.
+    pub fn are_integrated(&self) -> bool {
+        self.pairs().flatten().any(|law| matches!(law, LawSpec::L94 { .. }))
     }
 
     /// How many materials there are.
@@ -58,6 +65,16 @@ impl Laws {
     /// The laws of all pairs, row by row.
     pub fn pairs(&self) -> impl Iterator<Item = Option<LawSpec>> {
         self.between.iter().copied()
+    }
+
+    /// What the surfaces of all pairs do, row by row; none of all if all are smooth.
+    pub fn frictions(&self) -> impl Iterator<Item = Option<FrictionSpec>> {
+        self.friction.iter().copied()
+    }
+
+    /// Whether any two surfaces have friction.
+    pub fn has_friction(&self) -> bool {
+        self.frictions().flatten().next().is_some()
     }
 
     /// The number of a material.
@@ -79,4 +96,10 @@ impl Laws {
             }),
         }
     }
+}
+
+/// What holds between two materials, row by row: their own if it is the same, or that of all others.
+fn of_pairs<T: Copy + PartialEq>(own: &[Option<T>], of_all: Option<T>) -> Vec<Option<T>> {
+    let pairs = own.iter().flat_map(|a| own.iter().map(move |b| (a, b)));
+    pairs.map(|(a, b)| if a == b { a.or(of_all) } else { of_all }).collect()
 }

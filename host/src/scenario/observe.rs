@@ -21,6 +21,8 @@ pub struct ObserveSpec {
     pub pair_distribution: Option<PairSpec>,
     /// Mean square displacement and velocity autocorrelation.
     pub correlations: Option<CorrelationSpec>,
+    /// The surface of a layer, and the waves on it.
+    pub surface: Option<ModesSpec>,
 }
 
 /// Density, velocity and temperature along an axis.
@@ -50,6 +52,18 @@ pub enum Axis {
     Z,
 }
 
+impl Axis {
+    /// Its number, from 0.
+    pub const fn number(self) -> usize {
+        self as usize
+    }
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        ["x", "y", "z"][self as usize]
+    }
+}
+
 /// The pair distribution function g(r).
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -76,6 +90,35 @@ pub struct CorrelationSpec {
     /// So many grains at most are followed.
     #[serde(default = "two_thousand")]
     pub grains: u32,
+}
+
+/// The surface of a layer and its Fourier modes, as waves along the axes across.
+///
+/// An amplitude is the root mean square over time, of A in A cos(k x + φ): half of the height from trough to crest. No
+/// mode is shorter than four places. Where the plate vibrates and looks come a whole number of times in a cycle, what
+/// changes sign from each cycle to the next is told apart: waves of half of the plate's frequency.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ModesSpec {
+    /// Which axis leads up; the plate's if left out, or else that of gravity.
+    pub up: Option<Axis>,
+    /// How wide a place is at which the height is taken (m); such that it has 20 grains in the mean if left out.
+    pub place: Option<f64>,
+    /// Which height of the centres in a place; top if left out.
+    #[serde(default)]
+    pub height: HeightSpec,
+}
+
+/// Which height of a layer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum HeightSpec {
+    /// 2 q₃ − q₂ of the third quartile and the median: the top of centres that fill the layer evenly, whatever has been thrown
+    /// above it.
+    #[default]
+    Top,
+    /// The mean of the centres.
+    Mean,
 }
 
 const fn ten() -> u32 {

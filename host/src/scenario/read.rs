@@ -77,6 +77,11 @@ fn folder(file: &Path) -> &Path {
     file.parent().unwrap_or(Path::new(""))
 }
 
+/// Line and column of a problem in a text, both from 1.
+pub fn place_of(text: &str, problem: &Problem) -> (usize, usize) {
+    Document::parse(text).0.position(problem)
+}
+
 /// Reads a text and finds everything that is wrong with it at once: what is no TOML, or else what is
 /// no field, or else what cannot be. The scenario is there if nothing is wrong.
 pub fn examine(text: &str, folder: &Path) -> (Option<Scenario>, Found) {

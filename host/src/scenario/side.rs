@@ -19,6 +19,22 @@ pub struct Placed {
     pub velocity: [f64; 3],
 }
 
+impl Placed {
+    /// Nobody: the place of a grain that was taken out. It keeps its number, so that those of others stay.
+    pub const GONE: Self =
+        Self { radius: 0.0, mass: 0.0, position: [f64::NAN; 3], velocity: [f64::NAN; 3] };
+
+    /// Whether there is a grain.
+    pub fn is_there(&self) -> bool {
+        self.mass > 0.0
+    }
+}
+
+/// The grains that are there, with their numbers.
+pub fn present(grains: &[Placed]) -> impl Iterator<Item = (usize, &Placed)> + Clone {
+    grains.iter().enumerate().filter(|(_, grain)| grain.is_there())
+}
+
 /// One axis of the box.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Side {
@@ -53,6 +69,32 @@ pub struct Shaking {
     pub frequency: f64,
     /// φ, in turns.
     pub phase: f64,
+}
+
+/// The steady flow of a sheared box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Flow {
+    /// The axis along which grains flow.
+    pub along: usize,
+    /// The axis along which the flow's velocity grows.
+    pub gradient: usize,
+    /// By how much it grows with length (1/s).
+    pub rate: f64,
+    /// Where it is 0: the middle of the box (m).
+    pub middle: f64,
+}
+
+impl Flow {
+    /// The flow's velocity where something is, along `along`.
+    pub fn speed(&self, position: &[f64; 3]) -> f64 {
+        self.rate * (position[self.gradient] - self.middle)
+    }
+
+    /// How far the flow has carried the nearest image of one that is so far from another along the gradient, by a time (m).
+    pub fn carried(&self, sides: &[Side; 3], separation: f64, time: f64) -> f64 {
+        let Side::Periodic([from, to]) = sides[self.gradient] else { return 0.0 };
+        (separation / (to - from)).round() * (to - from) * self.rate * time
+    }
 }
 
 impl Side {

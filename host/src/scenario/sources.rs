@@ -32,6 +32,7 @@ fn source<const D: usize>(drive: &DriveSpec, start: &Start) -> Source<D> {
         DriveSpec::SetVelocity { time, grain, to } => {
             at(*time, Action::SetVelocity(*grain, components(to)))
         }
+        DriveSpec::Remove { time, grain } => at(*time, Action::Remove(*grain)),
     }
 }
 

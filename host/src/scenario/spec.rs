@@ -1,8 +1,10 @@
 //! What can a scenario file say? Reads nothing; writes nothing, names the fields and their values.
 
 use super::drive::DriveSpec;
+use super::friction::FrictionSpec;
 use super::grains::{Gas, GrainSpec, SpeciesSpec};
 use super::law::{LawSpec, MaterialSpec, PairLawSpec};
+use super::obstacle::ObstacleSpec;
 use super::options::Options;
 use super::sides::{SideSpec, Sides, SurfaceSpec};
 use schemars::JsonSchema;
@@ -36,6 +38,9 @@ pub struct Scenario {
     /// What bounds the axes; an axis left out is open.
     #[serde(default, rename = "box")]
     pub sides: Sides,
+    /// What stands inside the box.
+    #[serde(default, rename = "obstacle")]
+    pub obstacles: Vec<ObstacleSpec>,
     /// The contact law of all pairs of materials that have none of their own.
     pub law: Option<LawSpec>,
     /// What grains and walls are made of; with one or none of them, nobody needs to name it.
@@ -44,6 +49,10 @@ pub struct Scenario {
     /// What two different materials do.
     #[serde(default, rename = "pair")]
     pub pairs: Vec<PairLawSpec>,
+    /// What the surfaces of all pairs of materials do that say nothing of it: grains rotate. Smooth if left out.
+    pub friction: Option<FrictionSpec>,
+    /// Moment of inertia of all grains in units of m R²: 0.4 for spheres, which it is if left out, 0.5 for disks.
+    pub inertia: Option<f64>,
     /// How the event-driven methods treat what is out of the ordinary.
     #[serde(default)]
     pub options: Options,
@@ -136,6 +145,13 @@ impl Scenario {
         laws.all(|law| law == first).then_some(first)
     }
 
+    /// Whether any two surfaces have friction, so that grains rotate.
+    pub fn has_friction(&self) -> bool {
+        let of_materials = self.materials.iter().filter_map(|m| m.friction);
+        let of_pairs = self.pairs.iter().filter_map(|p| p.friction);
+        self.friction.into_iter().chain(of_materials).chain(of_pairs).next().is_some()
+    }
+
     /// The methods to run: those asked for, or all that the laws allow.
     pub fn chosen_methods(&self) -> Vec<MethodName> {
         if !self.methods.is_empty() {
@@ -144,7 +160,13 @@ impl Scenario {
         let has_force = self.laws().any(|law| law.has_force());
         match self.only_law() {
             _ if !has_force => vec![MethodName::Emd],
-            Some(_) if self.event_driven_walls().is_none() && self.drives.is_empty() => {
+            Some(_)
+                if self.event_driven_walls().is_none()
+                    && self.drives.is_empty()
+                    && self.obstacles.is_empty()
+                    && !self.has_friction()
+                    && self.sides.shear.is_none() =>
+            {
                 MethodName::ALL.to_vec()
             }
             _ => vec![MethodName::Emd, MethodName::EmdStar],
@@ -152,7 +174,7 @@ impl Scenario {
     }
 
     /// The first axis with walls that no force-based method knows: hard, or of a material, or two that
-    /// vibrate.
+    /// vibrate, or some that go on steadily.
     pub fn event_driven_walls(&self) -> Option<&'static str> {
         let is_one = |side: &SideSpec| {
             let (surface, restitution, material) = side.surface().unwrap_or_default();
@@ -161,6 +183,7 @@ impl Scenario {
                 || restitution.is_some()
                 || material.is_some()
                 || vibrates && matches!(side, SideSpec::Walls { .. })
+                || side.moving() != [0.0; 2]
         };
         self.sides.named().into_iter().find(|(_, side)| is_one(side)).map(|(name, _)| name)
     }

@@ -1,13 +1,15 @@
 //! Where does everything stand? Reads a scenario; writes nothing, returns grains and box at time 0.
 
+use super::friction;
 use super::gas;
-use super::grains::GrainSpec;
+use super::grains::{GrainSpec, PlaceSpec};
 use super::laws::Laws;
 use super::populate::{self, Population};
 use super::problem::Problem;
-use super::side::{Made, Placed, Shaking, Side, filled, sphere_mass};
-use super::sides::{SideSpec, SurfaceSpec};
+use super::side::{Flow, Made, Placed, Shaking, Side, filled, sphere_mass};
+use super::sides::{MadeSpec, SideSpec, SurfaceSpec};
 use super::spec::Scenario;
+use super::walls::{self, Motion, Wall};
 use anyhow::Result;
 use carom_reference::Plate;
 
@@ -20,6 +22,10 @@ pub struct Start {
     pub grains: Vec<Placed>,
     /// The box; axes beyond the dimension are open.
     pub sides: [Side; 3],
+    /// How fast the lower and the upper wall of each axis go on steadily: where `sides` has them, they are at time 0.
+    pub steady: [[f64; 2]; 3],
+    /// The flow of a sheared box.
+    pub flow: Option<Flow>,
     /// Uniform gravity.
     pub gravity: [f64; 3],
     /// What each grain is made of: a number of [`Laws::names`].
@@ -28,10 +34,18 @@ pub struct Start {
     pub species: Vec<u16>,
     /// What species are called; grains that are listed one by one are the first, and a gas the next.
     pub species_names: Vec<String>,
+    /// The angular velocity of each grain, where there is friction; else nothing.
+    pub rotations: Vec<[f64; 3]>,
+    /// I/(m R²) of all grains.
+    pub inertia: f64,
     /// Whether the scenario has `[[species]]`.
     pub has_species: bool,
     /// What two materials do when they touch.
     pub laws: Laws,
+    /// The facets of all obstacles, in the order of the scenario and of its files.
+    pub walls: Vec<Wall>,
+    /// How obstacles move.
+    pub motions: Vec<Motion>,
 }
 
 impl Start {
@@ -46,6 +60,17 @@ impl Start {
     /// Separation of two points, nearest image.
     pub fn nearest(&self, a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
         std::array::from_fn(|k| self.sides[k].nearest(a[k] - b[k]))
+    }
+
+    /// Where an axis begins and ends all of the time; none where it does not, or walls go on.
+    pub fn range(&self, axis: usize) -> Option<[f64; 2]> {
+        self.sides[axis].range().filter(|_| self.steady[axis] == [0.0; 2])
+    }
+
+    /// Where an axis begins and ends at a time, if it does.
+    pub fn range_at(&self, axis: usize, time: f64) -> Option<[f64; 2]> {
+        let ends = self.sides[axis].range()?;
+        Some([0, 1].map(|end| ends[end] + self.steady[axis][end] * time))
     }
 
     /// Mean radius of the grains.
@@ -63,12 +88,38 @@ impl Start {
         let mut populations = populate::populations(scenario, &densities)?;
         let sides = sides(scenario, &laws, &populations)?;
         let mut start = Self { dimension: scenario.dimension, sides, laws, ..Self::default() };
+        start.steady = scenario.sides.named().map(|(_, side)| side.moving());
         start.gravity = padded(&scenario.gravity);
+        start.flow = flow(scenario, &start.sides);
         start.has_species = !scenario.species.is_empty();
+        for (number, obstacle) in scenario.obstacles.iter().enumerate() {
+            let made = made(&start.laws, obstacle.made());
+            let mut walls = walls::walls((number, obstacle), &scenario.folder, made)?;
+            if let Some(motion) = Motion::of(obstacle) {
+                let number = u8::try_from(start.motions.len()).ok();
+                walls.iter_mut().for_each(|wall| wall.motion = number);
+                start.motions.push(motion);
+            }
+            start.walls.extend(walls);
+        }
         start.list(scenario);
         start.scatter(scenario)?;
         start.populate(scenario, &mut populations)?;
+        start.inertia = scenario.inertia.unwrap_or(friction::SPHERE);
+        if scenario.has_friction() {
+            start.rotations = scenario.grains.iter().map(rotation).collect();
+            start.rotations.resize(start.grains.len(), [0.0; 3]);
+        }
         Ok(start)
+    }
+
+    /// Gives grains from a number on the velocity of the flow besides their own, those which (counted from there) take it.
+    fn let_flow(&mut self, first: usize, takes: impl Fn(usize) -> bool) {
+        let Some(flow) = self.flow else { return };
+        let added = self.grains[first..].iter_mut().enumerate();
+        for (_, grain) in added.filter(|(k, _)| takes(*k)) {
+            grain.velocity[flow.along] += flow.speed(&grain.position);
+        }
     }
 
     /// Notes what the grains are that were added last.
@@ -96,7 +147,9 @@ impl Start {
     fn scatter(&mut self, scenario: &Scenario) -> Result<(), Problem> {
         let Some(gas) = &scenario.gas else { return Ok(()) };
         let density = density(scenario, &self.laws, gas.density, gas.material.as_deref());
+        let first = self.grains.len();
         gas::scatter(gas, density, &self.sides, self.dimension, &mut self.grains)?;
+        self.let_flow(first, |_| true);
         self.label("gas", gas.material.as_deref());
         Ok(())
     }
@@ -106,8 +159,10 @@ impl Start {
         scenario: &Scenario,
         populations: &mut [Population<'_>],
     ) -> Result<(), Problem> {
-        let first = self.species_names.len();
+        let (first, first_grain) = (self.species_names.len(), self.grains.len());
         let of = populate::place(scenario, &self.sides, populations, &mut self.grains)?;
+        let is_told = |k: usize| matches!(scenario.species[k].place, PlaceSpec::File { .. });
+        self.let_flow(first_grain, |grain| !is_told(of[grain]));
         let number =
             |k: usize| self.laws.number(scenario.species[k].material.as_deref()).unwrap_or(0) as u8;
         self.materials.extend(of.iter().map(|k| number(*k)));
@@ -137,6 +192,15 @@ fn placed(scenario: &Scenario, laws: &Laws, grain: &GrainSpec) -> Placed {
     }
 }
 
+/// About the third axis in two dimensions.
+fn rotation(grain: &GrainSpec) -> [f64; 3] {
+    match grain.rotating[..] {
+        [x, y, z] => [x, y, z],
+        [z] => [0.0, 0.0, z],
+        _ => [0.0; 3],
+    }
+}
+
 fn padded(numbers: &[f64]) -> [f64; 3] {
     std::array::from_fn(|k| numbers.get(k).copied().unwrap_or(0.0))
 }
@@ -160,7 +224,7 @@ fn sides(
                 Err(Problem { path: format!("box.{name}"), offset: None, message })
             }
         };
-        let made = made(laws, spec);
+        let made = made(laws, spec.surface().unwrap_or_default());
         *side = match *spec {
             SideSpec::Open => Side::Open,
             SideSpec::Periodic { from, to } => Side::Periodic(range(from, to)?),
@@ -176,8 +240,15 @@ fn sides(
     Ok(sides)
 }
 
-fn made(laws: &Laws, side: &SideSpec) -> Made {
-    let (surface, restitution, material) = side.surface().unwrap_or_default();
+/// The flow of a sheared box.
+fn flow(scenario: &Scenario, sides: &[Side; 3]) -> Option<Flow> {
+    let shear = scenario.sides.shear?;
+    let [from, to] = sides[shear.gradient.number()].range()?;
+    let (along, gradient) = (shear.flow.number(), shear.gradient.number());
+    Some(Flow { along, gradient, rate: shear.rate, middle: 0.5 * (from + to) })
+}
+
+fn made(laws: &Laws, (surface, restitution, material): MadeSpec<'_>) -> Made {
     match (material, restitution) {
         (Some(name), _) => Made::Of(laws.number(Some(name)).unwrap_or(0) as u8),
         (None, Some(restitution)) => Made::Hard(restitution),

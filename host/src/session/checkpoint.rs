@@ -64,7 +64,7 @@ pub struct Store {
 
 const NAME: &str = "checkpoint";
 /// The first bytes; the number is that of the format.
-const MAGIC: &[u8] = b"carom checkpoint 1\n";
+const MAGIC: &[u8] = b"carom checkpoint 3\n";
 
 impl Store {
     /// The checkpoint of such a run in this folder.

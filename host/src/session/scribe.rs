@@ -7,7 +7,7 @@ use crate::method::Method;
 use crate::observe::Recorder;
 use crate::report::Files;
 use crate::run::{Attendant, Plan, Position, RunProgress, Sample};
-use crate::scenario::{Scenario, Start};
+use crate::scenario::{Placed, Scenario, Start};
 use anyhow::{Result, bail};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -39,6 +39,8 @@ pub struct Scribe<'a> {
     every: Every<'a>,
     heed: Heed,
     recorder: Option<Recorder>,
+    /// What was looked at last: a sample at the same time is of the same grains.
+    seen: Option<(f64, Vec<Placed>)>,
 }
 
 impl<'a> Scribe<'a> {
@@ -61,6 +63,7 @@ impl<'a> Scribe<'a> {
         let recorder = Recorder::new(scenario, start, measured)?;
         Ok(Self {
             recorder,
+            seen: None,
             start,
             folder: folder.to_owned(),
             files,
@@ -75,7 +78,11 @@ impl<'a> Scribe<'a> {
     ///
     /// # Errors
     /// When the last bytes cannot be written.
-    pub fn finish(mut self, position: &Position) -> Result<Option<MethodSummary>> {
+    pub fn finish(
+        mut self,
+        position: &Position,
+        digest: Option<u64>,
+    ) -> Result<Option<MethodSummary>> {
         self.files.secured()?;
         let mut names = self.files.names().to_vec();
         let stem = self.last.as_ref().map_or("", |last| last.method.file_stem());
@@ -84,7 +91,8 @@ impl<'a> Scribe<'a> {
         }
         let files = names.iter().map(|name| self.folder.join(name)).collect();
         let wall_seconds = position.seconds;
-        Ok(self.last.map(|last| MethodSummary { wall_seconds, files, ..last }))
+        let digest = digest.map(|digest| format!("{digest:016x}"));
+        Ok(self.last.map(|last| MethodSummary { wall_seconds, digest, files, ..last }))
     }
 
     /// Writes a checkpoint, if the method can be saved.
@@ -106,7 +114,9 @@ impl<'a> Scribe<'a> {
 
 impl Attendant for Scribe<'_> {
     fn sample(&mut self, method: &mut dyn Method, time: f64) -> Result<()> {
-        let sample = Sample::take(method, time);
+        let seen = self.seen.take().filter(|(then, _)| *then == time);
+        let grains = seen.map_or_else(|| method.grains(), |(_, grains)| grains);
+        let sample = Sample::of(method, time, grains);
         self.last = Some(MethodSummary::new(method.name(), &sample));
         self.files.add(self.start, &sample)
     }
@@ -114,7 +124,9 @@ impl Attendant for Scribe<'_> {
     fn look(&mut self, method: &mut dyn Method, time: f64) {
         let tally = method.take_tally();
         if let Some(recorder) = &mut self.recorder {
-            recorder.look(time, &tally, &method.grains());
+            let grains = method.grains();
+            recorder.look(time, &tally, &grains);
+            self.seen = Some((time, grains));
         }
     }
 

@@ -38,6 +38,10 @@ pub struct MethodSummary {
     pub statistics: Vec<(String, u64)>,
     /// How many grains move in which way.
     pub motions: Vec<(String, usize)>,
+    /// A digest of the whole state at the end in hexadecimal digits: the same on every machine. None for MD, and
+    /// for a run that broke off.
+    #[serde(default)]
+    pub digest: Option<String>,
     /// The files.
     pub files: Vec<PathBuf>,
 }
@@ -54,6 +58,7 @@ impl MethodSummary {
             wall_seconds: 0.0,
             statistics: sample.statistics.iter().map(|(name, n)| (owned(name), *n)).collect(),
             motions: sample.motions.iter().map(|(name, n)| (owned(name), *n)).collect(),
+            digest: None,
             files: Vec::new(),
         }
     }

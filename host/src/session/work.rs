@@ -168,7 +168,8 @@ impl Work<'_> {
                 (state.as_ref(), every),
             )?;
             let ended = run::attend(method, &plan, &mut position, &mut scribe)?;
-            Ok((scribe.finish(&position)?, ended))
+            let digest = matches!(ended, Ended::Whole).then(|| method.digest()).flatten();
+            Ok((scribe.finish(&position, digest)?, ended))
         })
     }
 }

@@ -5,7 +5,7 @@ use crate::columns::{Cell, Column, Kind};
 use crate::scenario::{MethodName, Scenario};
 use anyhow::{Context, Result, anyhow, bail};
 use serde::Deserialize;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 
 /// A sweep that can be run: every one of its runs has been checked.
@@ -16,6 +16,8 @@ pub struct Plan {
     axes: Vec<Axis>,
     methods: Vec<MethodName>,
     scenario: Table,
+    /// Where the scenario's own files are.
+    folder: PathBuf,
 }
 
 /// One run.
@@ -44,17 +46,20 @@ impl Plan {
             toml::from_str(&sweep).map_err(|why| anyhow!("{name}: {}", line(&sweep, &why)))?;
         let scenario = file.parent().unwrap_or(Path::new("")).join(&spec.scenario);
         let text = read(&scenario)?;
-        Self::new(sweep, &spec, text).with_context(|| name.to_string())
+        let folder = scenario.parent().unwrap_or(Path::new("")).to_owned();
+        Self::new(sweep, &spec, text, folder).with_context(|| name.to_string())
     }
 
-    fn new(sweep: String, spec: &Spec, text: String) -> Result<Self> {
+    fn new(sweep: String, spec: &Spec, text: String, folder: PathBuf) -> Result<Self> {
         let scenario: Table = toml::from_str(&text)
             .map_err(|why| anyhow!("{}: {}", spec.scenario, line(&text, &why)))?;
-        let axes = spec.axes()?;
+        let axes = spec.axes(&scenario)?;
         let methods = match &spec.methods {
             Some(methods) if methods.is_empty() => bail!("methods is empty, must name at least 1"),
             Some(methods) => methods.clone(),
-            None => Scenario::parse(&text).with_context(|| spec.scenario.clone())?.chosen_methods(),
+            None => Scenario::parse_in(&text, &folder)
+                .with_context(|| spec.scenario.clone())?
+                .chosen_methods(),
         };
         let runs = axes.iter().try_fold(methods.len(), |n, axis| n.checked_mul(axis.points.len()));
         let Some(runs) = runs.filter(|&runs| runs <= MAX_RUNS) else {
@@ -62,7 +67,7 @@ impl Plan {
         };
         let version = env!("CARGO_PKG_VERSION").to_owned();
         let source = Source { sweep, scenario: text, version, runs };
-        let plan = Self { source, axes, methods, scenario };
+        let plan = Self { source, axes, methods, scenario, folder };
         (0..runs).try_for_each(|number| plan.run(number).map(drop))?;
         Ok(plan)
     }
@@ -112,7 +117,8 @@ impl Plan {
                 _ => anyhow!(text),
             }
         };
-        Scenario::parse(&toml::to_string(&table)?).map_err(nameless)?.with_method(method)
+        let text = toml::to_string(&table)?;
+        Scenario::parse_in(&text, &self.folder).map_err(nameless)?.with_method(method)
     }
 }
 
@@ -160,7 +166,7 @@ fn set(root: &mut Value, path: &str, value: Value) -> Result<()> {
 /// ```toml
 /// scenario = "gas.toml"                 # beside the sweep file
 /// methods = ["emd", "emd*"]             # those of the scenario if left out
-/// seeds = { from = 1, count = 100 }     # or a list; sets gas.seed
+/// seeds = { from = 1, count = 100 }     # or a list; sets every seed of the scenario
 /// [grid]                                # any fields of the scenario
 /// gas.packing_fraction = [0.01, 0.02, 0.05]
 /// law.dissipation = { from = 1e-5, to = 1e-3, count = 5, scale = "log" }
@@ -175,7 +181,7 @@ pub struct Spec {
     pub scenario: String,
     /// Which methods run.
     pub methods: Option<Vec<crate::scenario::MethodName>>,
-    /// Values of `gas.seed`.
+    /// Values of `gas.seed`, if there is a gas, and of `seed`, if there are species or something drives them.
     seeds: Option<Value>,
     #[serde(default)]
     grid: Table,
@@ -216,15 +222,15 @@ impl Spec {
     ///
     /// # Errors
     /// A line that names the field: no values, rows that differ in their fields, a field set twice.
-    pub fn axes(&self) -> Result<Vec<Axis>> {
+    pub fn axes(&self, scenario: &Table) -> Result<Vec<Axis>> {
         let mut axes: Vec<Axis> = list(&self.list)?.into_iter().collect();
         let mut grid = Vec::new();
         flatten("", &self.grid, &mut grid);
         for (path, value) in grid {
-            axes.push(along(&format!("grid: {path}"), &path, value)?);
+            axes.push(along(&format!("grid: {path}"), &[path], value)?);
         }
         if let Some(seeds) = &self.seeds {
-            axes.push(along("seeds", "gas.seed", seeds)?);
+            axes.push(along("seeds", &seeds_of(scenario)?, seeds)?);
         }
         let mut paths: Vec<&String> = axes.iter().flat_map(|axis| &axis.paths).collect();
         paths.sort();
@@ -263,7 +269,20 @@ fn list(rows: &[Table]) -> Result<Option<Axis>> {
     Ok(paths.map(|paths| Axis { paths, points }))
 }
 
-fn along(name: &str, path: &str, value: &Value) -> Result<Axis> {
+/// Where a scenario says from which seed it draws.
+fn seeds_of(scenario: &Table) -> Result<Vec<String>> {
+    let any_of = |names: &[&str]| names.iter().any(|name| scenario.contains_key(*name));
+    let places = [(any_of(&["gas"]), "gas.seed"), (any_of(&["species", "drive"]), "seed")];
+    let paths = places.into_iter().filter(|(is_there, _)| *is_there);
+    let paths: Vec<String> = paths.map(|(_, path)| path.to_owned()).collect();
+    if paths.is_empty() {
+        bail!("seeds: the scenario draws nothing at random: it has no gas, species or drive");
+    }
+    Ok(paths)
+}
+
+/// The same value in one field or more.
+fn along(name: &str, paths: &[String], value: &Value) -> Result<Axis> {
     let values = match value {
         Value::Array(values) => values.clone(),
         Value::Table(_) => {
@@ -275,8 +294,8 @@ fn along(name: &str, path: &str, value: &Value) -> Result<Axis> {
     if values.is_empty() {
         bail!("{name} has no values, must have at least 1");
     }
-    let points = values.into_iter().map(|value| vec![value]).collect();
-    Ok(Axis { paths: vec![path.to_owned()], points })
+    let points = values.into_iter().map(|value| vec![value; paths.len()]).collect();
+    Ok(Axis { paths: paths.to_vec(), points })
 }
 
 impl Range {

@@ -4,6 +4,7 @@ mod check;
 mod column;
 pub(crate) mod cube;
 mod exact;
+pub(crate) mod history;
 pub(crate) mod options;
 pub(crate) mod search;
 pub(crate) mod tree;

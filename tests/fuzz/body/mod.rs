@@ -1,7 +1,8 @@
-//! What must hold for any bytes? A world that is stepped, a scenario that is run; reads bytes, panics if it does not hold.
+//! What must hold for any bytes? A world that is stepped, one among obstacles, a scenario that is run; reads bytes, panics if it does not hold.
 
 pub mod input;
 pub mod invariants;
+pub mod mesh;
 pub mod rule;
 pub mod run;
 pub mod scenario;

@@ -170,6 +170,27 @@ macro_rules! describe {
                 unsafe { on::<$s, $d, _>(world, |held| held.set_steps_per_contact(steps)) }
             }
 
+            /// CAROM_MODE_INTEGRATED, the default, or CAROM_MODE_PAPER, if the library has it.
+            #[unsafe(no_mangle)]
+            pub unsafe extern "C" fn [<carom $kind _set_mode>](
+                world: *mut [<carom_world $kind>],
+                mode: i32,
+            ) -> carom_error {
+                // SAFETY: the caller's promise.
+                unsafe { on::<$s, $d, _>(world, |held| held.set_mode(mode)) }
+            }
+
+            /// So many empty places, behind the grains so far, for grains that are inserted while time passes. Of the
+            /// places that create was told of.
+            #[unsafe(no_mangle)]
+            pub unsafe extern "C" fn [<carom $kind _add_empty_places>](
+                world: *mut [<carom_world $kind>],
+                places: u32,
+            ) -> carom_error {
+                // SAFETY: the caller's promise.
+                unsafe { on::<$s, $d, _>(world, |held| held.add_empty_places(places)) }
+            }
+
             /// One grain more. Grains are numbered from 0 in the order in which they are added.
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn [<carom $kind _add_grain>](

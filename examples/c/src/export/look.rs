@@ -24,7 +24,7 @@ macro_rules! look {
                 unsafe { on::<$s, $d, _>(world, |held| write(time, || held.next_event_time())) }
             }
 
-            /// How many grains there are.
+            /// How many grains there are, empty places included: an array of so many holds something of each.
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn [<carom $kind _count>](
                 world: *mut [<carom_world $kind>],
@@ -34,7 +34,7 @@ macro_rules! look {
                 unsafe { on::<$s, $d, _>(world, |held| write(count, || held.count())) }
             }
 
-            /// A grain as it is now.
+            /// A grain as it is now; CAROM_ERROR_INDEX for an empty place.
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn [<carom $kind _grain>](
                 world: *mut [<carom_world $kind>],
@@ -49,7 +49,7 @@ macro_rules! look {
                 }
             }
 
-            #[doc = concat!("All positions, ", $d, " numbers for each grain; length is how many numbers there are places for.")]
+            #[doc = concat!("All positions, ", $d, " numbers for each grain, 0 for empty places; length is how many numbers there are places for.")]
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn [<carom $kind _positions>](
                 world: *mut [<carom_world $kind>],
@@ -64,7 +64,7 @@ macro_rules! look {
                 }
             }
 
-            #[doc = concat!("All velocities, ", $d, " numbers for each grain; length is how many numbers there are places for.")]
+            #[doc = concat!("All velocities, ", $d, " numbers for each grain, 0 for empty places; length is how many numbers there are places for.")]
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn [<carom $kind _velocities>](
                 world: *mut [<carom_world $kind>],

@@ -57,6 +57,6 @@ macro_rules! worlds {
 }
 
 // Bytes of the world, of a grain and of a plane, with some room in the first: the compiler says when it is used up.
-worlds!(_2d_f32, _2D_F32, f32, 2, "disks whose numbers are float", 32: [640, 96, 64], 64: [1024, 100, 64]);
-worlds!(_2d_f64, _2D_F64, f64, 2, "disks whose numbers are double", 32: [832, 160, 128], 64: [1152, 184, 128]);
-worlds!(_3d_f64, _3D_F64, f64, 3, "spheres whose numbers are double", 32: [896, 192, 136], 64: [1216, 192, 136]);
+worlds!(_2d_f32, _2D_F32, f32, 2, "disks whose numbers are float", 32: [704, 96, 64], 64: [1024, 100, 64]);
+worlds!(_2d_f64, _2D_F64, f64, 2, "disks whose numbers are double", 32: [896, 160, 128], 64: [1152, 184, 128]);
+worlds!(_3d_f64, _3D_F64, f64, 3, "spheres whose numbers are double", 32: [960, 192, 136], 64: [1216, 192, 136]);

@@ -27,6 +27,38 @@ macro_rules! run {
                 }
             }
 
+            /// One grain more, now, in the first empty place, whose number index is: CAROM_ERROR_FULL without one,
+            /// CAROM_ERROR_OVERLAP where another body is. Its radius is at most the largest at the start.
+            #[unsafe(no_mangle)]
+            pub unsafe extern "C" fn [<carom $kind _insert_grain>](
+                world: *mut [<carom_world $kind>],
+                grain: *const [<carom_grain $kind>],
+                index: *mut u32,
+            ) -> carom_error {
+                // SAFETY: the caller's promise.
+                unsafe {
+                    on::<$s, $d, _>(world, |held| {
+                        let grain = read(grain)?;
+                        write(index, || held.insert_grain(grain.into()))
+                    })
+                }
+            }
+
+            /// Takes a grain out, now; grain is what it was. Its place is empty: the others keep their numbers.
+            #[unsafe(no_mangle)]
+            pub unsafe extern "C" fn [<carom $kind _remove_grain>](
+                world: *mut [<carom_world $kind>],
+                index: u32,
+                grain: *mut [<carom_grain $kind>],
+            ) -> carom_error {
+                // SAFETY: the caller's promise.
+                unsafe {
+                    on::<$s, $d, _>(world, |held| {
+                        write(grain, || held.remove_grain(index).map(Into::into))
+                    })
+                }
+            }
+
             /// Everything up to this time happens, and it becomes the present.
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn [<carom $kind _advance_to>](

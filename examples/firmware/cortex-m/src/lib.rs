@@ -3,7 +3,9 @@
 
 #[path = "../../app.rs"]
 pub mod app;
-#[cfg(feature = "plates")]
+#[path = "../../frames.rs"]
+pub mod frames;
+#[cfg(all(feature = "plates", feature = "obstacles"))]
 #[path = "../../replay.rs"]
 pub mod replay;
 #[path = "../../stack.rs"]
@@ -116,6 +118,7 @@ impl Board for Chip {
     }
 
     fn instructions(&mut self) -> u64 {
-        self.ticks() * NANOSECONDS_PER_MILLISECOND / u64::from(self.ticks_per_millisecond)
+        let nanoseconds = self.ticks() * NANOSECONDS_PER_MILLISECOND;
+        nanoseconds.checked_div(u64::from(self.ticks_per_millisecond)).unwrap_or(0)
     }
 }

@@ -3,7 +3,9 @@
 
 #[path = "../../app.rs"]
 pub mod app;
-#[cfg(feature = "plates")]
+#[path = "../../frames.rs"]
+pub mod frames;
+#[cfg(all(feature = "plates", feature = "obstacles"))]
 #[path = "../../replay.rs"]
 pub mod replay;
 #[path = "../../stack.rs"]

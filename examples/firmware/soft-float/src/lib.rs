@@ -5,8 +5,11 @@
 //! multiplies 32 bits by 32 to 32 and neither divides nor counts leading zeros.
 #![cfg_attr(not(test), no_std)]
 
+mod compare;
 #[cfg(target_os = "none")]
 mod exported;
+
+pub use compare::{Ordering, compare};
 
 const SIGN: u32 = 1 << 31;
 const INFINITE: u32 = 0xFF << 23;
@@ -14,8 +17,8 @@ const NAN: u32 = INFINITE | 1 << 22;
 /// The leading digit, which is not written.
 const LEADING: u32 = 1 << 23;
 const DIGITS: u32 = LEADING - 1;
-/// The leading digit with the three bits that rounding needs below the last place.
-const WIDE: u32 = LEADING << 3;
+/// The leading digit where eight bits are kept below the last place, for rounding.
+const TOP: u32 = 1 << 31;
 
 /// The sum.
 #[inline(always)]
@@ -25,40 +28,47 @@ pub fn add(a: u32, b: u32) -> u32 {
     let (x, y) = if a << 1 >= b << 1 { (a, b) } else { (b, a) };
     let (exponent, below) = (exponent(x), exponent(y));
     if below == 0 || exponent == 255 {
-        return add_special(x, y);
+        // Many numbers are zero: components along walls, and of gravity.
+        let is_plain = y << 1 == 0 && is_normal(x);
+        return if is_plain { x } else { add_special(x, y) };
     }
-    let digits = |x| (x & DIGITS | LEADING) << 3;
     let shift = (exponent - below) as u32;
-    if shift > 26 {
+    if shift > 25 {
         return x;
     }
-    // What is shifted out stays as one bit.
-    let (m, n) = (digits(x), digits(y));
-    let n = n >> shift | u32::from(n & ((1 << shift) - 1) != 0);
-    sum(x, exponent, (m, n), y)
+    sum(x, exponent, (x << 8 | TOP, shifted(y << 8 | TOP, shift)), y)
+}
+
+/// Digits moved down. What is shifted out stays as one bit; eight bits there are for it.
+#[inline(always)]
+fn shifted(n: u32, shift: u32) -> u32 {
+    if shift <= 8 {
+        return n >> shift;
+    }
+    n >> shift | u32::from(n << (32 - shift) != 0)
 }
 
 /// The sum of x and y, whose digits are m and, moved to the place of x's, n.
 #[inline(always)]
-fn sum(x: u32, mut exponent: i32, (mut m, n): (u32, u32), y: u32) -> u32 {
-    if (x ^ y) & SIGN == 0 {
-        m += n;
-        if m >= WIDE << 1 {
-            (m, exponent) = (m >> 1 | m & 1, exponent + 1);
-        }
-    } else {
-        m -= n;
-        if m == 0 {
-            return 0;
-        }
-        while m < WIDE >> 7 && exponent > 8 {
-            (m, exponent) = (m << 8, exponent - 8);
-        }
-        while m < WIDE && exponent > 1 {
-            (m, exponent) = (m << 1, exponent - 1);
-        }
+fn sum(x: u32, mut exponent: i32, (m, n): (u32, u32), y: u32) -> u32 {
+    if ((x ^ y) as i32) >= 0 {
+        let (sum, carry) = m.overflowing_add(n);
+        return match carry {
+            true => rounded(x & SIGN, exponent + 1, sum >> 1 | sum & 1 | TOP),
+            false => packed(x & SIGN, exponent, sum),
+        };
     }
-    rounded(x & SIGN, exponent, m)
+    let mut m = m - n;
+    if m == 0 {
+        return 0;
+    }
+    while m >> 24 == 0 && exponent > 8 {
+        (m, exponent) = (m << 8, exponent - 8);
+    }
+    while (m as i32) > 0 && exponent > 1 {
+        (m, exponent) = (m << 1, exponent - 1);
+    }
+    packed(x & SIGN, exponent, m)
 }
 
 /// The same where the larger, x, is not finite, or the smaller is zero or subnormal.
@@ -69,16 +79,17 @@ fn add_special(x: u32, y: u32) -> u32 {
         let is_nan = x & DIGITS != 0 || x ^ y == SIGN;
         return if is_nan { NAN } else { x };
     }
-    if y << 1 == 0 {
-        return if x ^ y == SIGN { 0 } else { x };
+    if x << 1 == 0 {
+        // Two zeros.
+        return x & y;
     }
     let ((exponent, m), (below, n)) = (parts(x), parts(y));
-    let shift = exponent - below;
-    if shift > 26 {
+    let shift = (exponent - below) as u32;
+    if shift > 25 {
         return x;
     }
-    let n = n >> shift | u32::from(n & ((1 << shift) - 1) != 0);
-    sum(x, exponent, (m, n), y)
+    // Subnormal digits have no leading one: the sum of two may get it, and carries nothing further.
+    sum(x, exponent, (m, shifted(n, shift)), y)
 }
 
 /// The difference.
@@ -94,7 +105,8 @@ pub fn subtract(a: u32, b: u32) -> u32 {
 pub fn multiply(a: u32, b: u32) -> u32 {
     let sign = (a ^ b) & SIGN;
     if !(is_normal(a) && is_normal(b)) {
-        return multiply_special(sign, a & !SIGN, b & !SIGN);
+        let is_plain = a << 1 == 0 && is_finite(b) || b << 1 == 0 && is_finite(a);
+        return if is_plain { sign } else { multiply_special(sign, a & !SIGN, b & !SIGN) };
     }
     product(sign, (exponent(a), a & DIGITS | LEADING), (exponent(b), b & DIGITS | LEADING))
 }
@@ -121,65 +133,79 @@ fn is_normal(x: u32) -> bool {
     (exponent(x) - 1) as u32 <= 253
 }
 
-/// The exponent, 1 for subnormal numbers, and the digits with three bits below.
+#[inline(always)]
+fn is_finite(x: u32) -> bool {
+    exponent(x) != 255
+}
+
+/// The exponent, 1 for subnormal numbers, and the digits with eight bits below.
 #[inline(always)]
 fn parts(x: u32) -> (i32, u32) {
     match exponent(x) {
-        0 => (1, (x & DIGITS) << 3),
-        exponent => (exponent, (x & DIGITS | LEADING) << 3),
+        0 => (1, x << 8 & !TOP),
+        exponent => (exponent, x << 8 | TOP),
     }
 }
 
-/// The number with these digits, of which three bits are below the last place.
+/// The number with these digits, of which eight bits are below the last place.
+#[inline(always)]
+fn packed(sign: u32, exponent: i32, m: u32) -> u32 {
+    let (digits, below) = (m >> 8, m & 0xFF);
+    let up = (below + (digits & 1) + 0x7F) >> 8;
+    // The leading digit counts the exponent up by one; a carry out of the digits does, too.
+    sign | ((((exponent - 1) as u32) << 23) + digits + up)
+}
+
+/// The same where the exponent may be too large.
 #[inline(always)]
 fn rounded(sign: u32, exponent: i32, m: u32) -> u32 {
+    if exponent >= 255 { sign | INFINITE } else { packed(sign, exponent, m) }
+}
+
+/// The same where it may be too small, too: then the number is subnormal.
+#[inline(always)]
+fn rounded_from_below(sign: u32, exponent: i32, m: u32) -> u32 {
+    if (exponent - 1) as u32 <= 253 { packed(sign, exponent, m) } else { beyond(sign, exponent, m) }
+}
+
+#[cold]
+#[inline(never)]
+fn beyond(sign: u32, exponent: i32, m: u32) -> u32 {
     if exponent >= 255 {
         return sign | INFINITE;
     }
-    // The leading digit counts the exponent up by one; a carry out of the digits does, too.
-    let digits = (m + 3 + (m >> 3 & 1)) >> 3;
-    sign | (((exponent - 1) as u32) << 23) + digits
-}
-
-/// The same where the exponent may be too small: then the number is subnormal.
-#[inline(always)]
-fn rounded_from_below(sign: u32, exponent: i32, m: u32) -> u32 {
-    if exponent > 0 {
-        return rounded(sign, exponent, m);
-    }
-    let shift = 1 - exponent;
-    let m = if shift < 27 { m >> shift | u32::from(m << (32 - shift) != 0) } else { 1 };
-    rounded(sign, 1, m)
+    let shift = (1 - exponent) as u32;
+    let m = if shift < 32 { m >> shift | u32::from(m << (32 - shift) != 0) } else { 1 };
+    packed(sign, 1, m)
 }
 
 #[inline(always)]
 fn product(sign: u32, (p, a): (i32, u32), (q, b): (i32, u32)) -> u32 {
-    let (high, low) = wide_product(a, b);
-    let (mut m, mut exponent) = (high << 4 | low >> 20 | u32::from(low << 12 != 0), p + q - 127);
-    if m >= WIDE << 1 {
-        (m, exponent) = (m >> 1 | m & 1, exponent + 1);
+    let (mut m, low) = wide_product(a, b);
+    let mut exponent = p + q - 126;
+    if (m as i32) >= 0 {
+        (m, exponent) = (m << 1, exponent - 1);
     }
-    rounded_from_below(sign, exponent, m)
+    // What is below only says on which side of the middle the product lies.
+    rounded_from_below(sign, exponent, m | u32::from(low != 0))
 }
 
-/// The product of two numbers of 24 bits, its upper and its lower 24 bits.
+/// The product of two numbers of 24 bits: without its lower 16 bits, and something that is zero if those are.
 #[inline(always)]
 fn wide_product(a: u32, b: u32) -> (u32, u32) {
-    if cfg!(target_arch = "arm") { product_of_halves(a, b) } else { product_of_64_bits(a, b) }
+    if cfg!(target_arch = "arm") { product_of_parts(a, b) } else { product_of_64_bits(a, b) }
 }
 
 #[inline(always)]
-fn product_of_halves(a: u32, b: u32) -> (u32, u32) {
-    let (ah, al, bh, bl) = (a >> 12, a & 0xFFF, b >> 12, b & 0xFFF);
-    let low = al * bl;
-    let middle = ah * bl + al * bh + (low >> 12);
-    (ah * bh + (middle >> 12), (middle & 0xFFF) << 12 | low & 0xFFF)
+fn product_of_parts(a: u32, b: u32) -> (u32, u32) {
+    let low = (a & 0xFFFF) * (b & 0xFFFF);
+    (a * (b >> 16) + (a >> 16) * (b & 0xFFFF) + (low >> 16), low << 16)
 }
 
 #[inline(always)]
 fn product_of_64_bits(a: u32, b: u32) -> (u32, u32) {
     let all = u64::from(a) * u64::from(b);
-    ((all >> 24) as u32, all as u32 & 0xFF_FFFF)
+    ((all >> 16) as u32, (all as u32) << 16)
 }
 
 #[inline(always)]
@@ -189,23 +215,31 @@ fn quotient(sign: u32, (p, mut a): (i32, u32), (q, b): (i32, u32)) -> u32 {
         (a, exponent) = (a << 1, exponent - 1);
     }
     let (digits, rest) = divided(a, b);
-    rounded_from_below(sign, exponent, digits | u32::from(rest != 0))
+    rounded_from_below(sign, exponent, digits << 5 | u32::from(rest != 0))
 }
 
 /// a·2²⁶/b of two numbers with b ≤ a < 2 b, and what is left.
 #[inline(always)]
 fn divided(a: u32, b: u32) -> (u32, u32) {
-    if cfg!(target_arch = "arm") { divided_by_digits(a, b) } else { divided_by_parts(a, b) }
+    if cfg!(target_arch = "arm") { divided_by_reciprocal(a, b) } else { divided_by_parts(a, b) }
 }
 
+/// Where the processor does not divide: thirteen digits at a time, by a reciprocal that is too small.
 #[inline(always)]
-fn divided_by_digits(a: u32, b: u32) -> (u32, u32) {
+fn divided_by_reciprocal(a: u32, b: u32) -> (u32, u32) {
+    // Of b the first sixteen digits, rounded up; their reciprocal times 2³¹ from a line by two of Newton's steps,
+    // all rounded down: too small by less than a part in 8,000.
+    let upper = (b >> 8) + 1;
+    let newton = |r: u32| (r * (0_u32.wrapping_sub(upper * r) >> 16)) >> 15;
+    let reciprocal = newton(newton(95_492 - upper));
     let (mut digits, mut rest) = (1, a - b);
-    for _ in 0..26 {
-        (digits, rest) = (digits << 1, rest << 1);
-        if rest >= b {
-            (digits, rest) = (digits | 1, rest - b);
+    for _ in 0..2 {
+        let mut part = ((rest >> 8) * reciprocal) >> 18;
+        rest = (rest << 13).wrapping_sub(part * b);
+        while rest >= b {
+            (part, rest) = (part + 1, rest - b);
         }
+        digits = digits << 13 | part;
     }
     (digits, rest)
 }
@@ -234,6 +268,7 @@ fn normalised(x: u32) -> (i32, u32) {
 }
 
 #[cold]
+#[inline(never)]
 fn multiply_special(sign: u32, a: u32, b: u32) -> u32 {
     match (a.max(b), a.min(b)) {
         (INFINITE, 1..) => sign | INFINITE,
@@ -244,6 +279,7 @@ fn multiply_special(sign: u32, a: u32, b: u32) -> u32 {
 }
 
 #[cold]
+#[inline(never)]
 fn divide_special(sign: u32, a: u32, b: u32) -> u32 {
     match (a, b) {
         (INFINITE, ..INFINITE) | (1..INFINITE, 0) => sign | INFINITE,
@@ -289,11 +325,11 @@ mod tests {
         let mut state = 2;
         for _ in 0..1_000_000 {
             let [a, b] = numbers(&mut state).map(|x| x & DIGITS | LEADING);
-            assert_eq!(product_of_halves(a, b), product_of_64_bits(a, b));
+            assert_eq!(product_of_parts(a, b), product_of_64_bits(a, b));
             let (a, b) = (a.max(b), a.min(b));
             let whole = (u64::from(a) << 26) / u64::from(b);
             let rest = (u64::from(a) << 26) % u64::from(b);
-            assert_eq!(divided_by_digits(a, b), (whole as u32, rest as u32));
+            assert_eq!(divided_by_reciprocal(a, b), (whole as u32, rest as u32));
             assert_eq!(divided_by_parts(a, b), (whole as u32, rest as u32));
         }
     }
@@ -311,6 +347,13 @@ mod tests {
             assert!(same(subtract(a, b), x - y), "{a:x} - {b:x}");
             assert!(same(multiply(a, b), x * y), "{a:x} * {b:x}");
             assert!(same(divide(a, b), x / y), "{a:x} / {b:x}");
+            let ordered = match compare(a, b) {
+                Ordering::Below => x < y,
+                Ordering::Equal => x == y,
+                Ordering::Above => x > y,
+                Ordering::None => x.is_nan() || y.is_nan(),
+            };
+            assert!(ordered, "{a:x}, {b:x}");
         }
     }
 }

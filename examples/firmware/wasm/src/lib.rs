@@ -42,6 +42,13 @@ pub extern "C" fn digest(index: usize) -> u64 {
     DIGESTS.get(index).map_or(0, |place| place.load(Ordering::Relaxed))
 }
 
+/// The letter with this index of a scene's name; 0 after the last one, and where there is no such scene.
+#[unsafe(no_mangle)]
+pub extern "C" fn letter(scene: usize, index: usize) -> u8 {
+    let name = Scene::ALL.get(scene).map_or("", |scene| scene.name());
+    name.as_bytes().get(index).copied().unwrap_or(0)
+}
+
 fn chosen(scene: usize, scalar: u32) -> Option<Run> {
     let scene = *Scene::ALL.get(scene)?;
     match scalar {

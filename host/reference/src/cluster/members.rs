@@ -8,9 +8,14 @@ use crate::vector::{Vector, length, minus};
 
 /// The other side of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Side<const D: usize> {
     /// Member `local` of the cluster, seen at its position plus `shift` (a periodic image).
-    Member { local: usize, shift: Vector<D> },
+    Member {
+        local: usize,
+        #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
+        shift: Vector<D>,
+    },
     /// A wall across `axis`; `facing` +1 for the lower wall, −1 for the upper one.
     Wall { axis: usize, facing: f64, plate: Plate },
 }
@@ -22,6 +27,7 @@ pub(crate) enum Side<const D: usize> {
 /// (c_dis > 1, exponents β = γ), w = x + θ ẋ takes the place of ẋ, for F_n = g w passes through zero
 /// by a margin far below the round-off of ẋ.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Link<const D: usize> {
     pub first: usize,
     pub side: Side<D>,
@@ -44,6 +50,7 @@ impl<const D: usize> Link<D> {
 
 /// The step under way.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Active {
     pub(super) segment: Segment,
     pub(super) regular: Option<usize>,
@@ -60,16 +67,20 @@ pub(super) struct Active {
 
 /// Grains that hang together by contacts.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Cluster<const D: usize> {
     pub grains: Vec<usize>,
     pub radii: Vec<f64>,
     pub masses: Vec<f64>,
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::arrays"))]
     pub positions: Vec<Vector<D>>,
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::arrays"))]
     pub velocities: Vec<Vector<D>>,
     pub links: Vec<Link<D>>,
     /// Absolute time of `elapsed` = 0.
     pub origin: f64,
     pub elapsed: f64,
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
     pub(super) gravity: Vector<D>,
     pub(super) end: End,
     /// The step before, if the motion goes on smoothly from it.

@@ -9,6 +9,7 @@ use crate::vector::{Vector, plus};
 
 /// What a grain touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Partner {
     /// Another grain.
     Grain(usize),
@@ -23,6 +24,7 @@ pub enum Partner {
 
 /// One contact, from its beginning to its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactRecord {
     /// The grain, the one with the lower number of two.
     pub grain: usize,
@@ -56,15 +58,21 @@ pub struct Event {
 
 /// What is met.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Target<const D: usize> {
     /// A grain, at its position plus `shift`.
-    Grain { other: usize, shift: Vector<D> },
+    Grain {
+        other: usize,
+        #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
+        shift: Vector<D>,
+    },
     /// A wall.
     Wall { axis: usize, upper: bool },
 }
 
 /// The next event of a free grain; without a target, only the time to look again.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Forecast<const D: usize> {
     pub time: f64,
     pub target: Option<Target<D>>,
@@ -106,11 +114,14 @@ impl<const D: usize> Forecast<D> {
 /// # Ok::<(), carom_reference::ReferenceError>(())
 /// ```
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Exact<const D: usize> {
     /// Radii and masses; positions and velocities of free grains at their `since`.
     pub(super) grains: Vec<Grain<D>>,
     pub(super) since: Vec<f64>,
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
     pub(super) boundary: [Boundary; D],
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
     pub(super) gravity: Vector<D>,
     pub(super) law: ForceLaw,
     pub(super) end: End,
@@ -213,8 +224,22 @@ impl<const D: usize> Exact<D> {
     /// [`ReferenceError::Parameter`] if t is before now or not a number,
     /// [`ReferenceError::Unresolved`] if a contact cannot be integrated.
     pub fn advance_to(&mut self, t: f64) -> Result<(), ReferenceError> {
-        while self.next_event(t)?.is_some() {}
-        Ok(())
+        self.advance_within(t, u64::MAX).map(drop)
+    }
+
+    /// As [`Exact::advance_to`], but after so many beginnings and ends of contacts it pauses: false if it has
+    /// not arrived then. In how many calls it arrives changes no bit.
+    ///
+    /// # Errors
+    ///
+    /// As [`Exact::advance_to`].
+    pub fn advance_within(&mut self, t: f64, events: u64) -> Result<bool, ReferenceError> {
+        for _ in 0..events {
+            if self.next_event(t)?.is_none() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Goes on to the next beginning or end of a contact, or to `until` if that comes first.

@@ -1,6 +1,7 @@
 //! What pushes each grain now? Reads positions, predicted velocities and the pair list; writes contact accelerations.
 
-use super::verlet::{Push, Verlet};
+use super::told::{Other, Push};
+use super::verlet::Verlet;
 use crate::cells::{NearPair, NearWall};
 use crate::vector::{Vector, dot, minus, plus};
 
@@ -51,8 +52,8 @@ impl<const D: usize> Verlet<D> {
         if law.tangential > 0.0 && push != 0.0 {
             force = plus(&force, -law.tangential, &plus(&v, rate, &normal));
         }
-        self.pushes.push(Push { grain: pair.grain, other: Some(pair.other), force });
-        self.touching[1].push(u64::from(pair.grain) << 32 | u64::from(pair.other));
+        let other = Other::Grain(pair.other);
+        self.note(Push { grain: pair.grain, other, force, separation: *d });
     }
 
     fn push_walls(&mut self, h: f64) {
@@ -80,9 +81,16 @@ impl<const D: usize> Verlet<D> {
             false => [0.0; D],
         };
         force[wall.axis] = wall.facing * push;
-        self.pushes.push(Push { grain: wall.grain, other: None, force });
-        let which = 2 * wall.axis as u64 + u64::from(wall.facing < 0.0);
-        self.touching[1].push(u64::from(wall.grain) << 32 | (u64::from(u32::MAX) - which));
+        let (axis, upper) = (wall.axis, wall.facing < 0.0);
+        let mut separation = [0.0; D];
+        separation[axis] = wall.facing * (self.radii[i] - overlap);
+        let other = Other::Wall { axis, upper, velocity: wall.plate.velocity(self.clock) };
+        self.note(Push { grain: wall.grain, other, force, separation });
+    }
+
+    fn note(&mut self, push: Push<D>) {
+        self.touching[1].push(push.key());
+        self.pushes.push(push);
     }
 
     /// The velocity half a step on, by the old contact acceleration (uniform gravity apart).
@@ -111,7 +119,11 @@ impl<const D: usize> Verlet<D> {
             self.accelerations[i as usize] = [0.0; D];
         }
         for push in &self.pushes {
-            for (grain, sign) in [(Some(push.grain), 1.0), (push.other, -1.0)] {
+            let other = match push.other {
+                Other::Grain(other) => Some(other),
+                Other::Wall { .. } => None,
+            };
+            for (grain, sign) in [(Some(push.grain), 1.0), (other, -1.0)] {
                 let Some(grain) = grain else { continue };
                 let a = &mut self.accelerations[grain as usize];
                 *a = plus(a, sign / self.masses[grain as usize], &push.force);

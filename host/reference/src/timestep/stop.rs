@@ -8,50 +8,30 @@ use crate::quiet::{Quiet, Stop, all_separated};
 /// Molecular dynamics in fixed steps, by whatever scheme.
 trait Steps<const D: usize> {
     /// Positions, velocities and clock.
-    fn state(&mut self) -> &mut Verlet<D>;
+    fn state(&self) -> &Verlet<D>;
 
-    /// Up to `count` steps of length h, from and to a full step; fewer if the step must shrink.
-    fn run(&mut self, count: u64, h: f64) -> u64;
+    /// Goes on to an instant.
+    fn come_to(&mut self, t: f64) -> Result<(), ReferenceError>;
 }
 
 impl<const D: usize> Steps<D> for Verlet<D> {
-    fn state(&mut self) -> &mut Self {
+    fn state(&self) -> &Self {
         self
     }
 
-    fn run(&mut self, count: u64, h: f64) -> u64 {
-        self.take_steps(count, h)
+    fn come_to(&mut self, t: f64) -> Result<(), ReferenceError> {
+        self.advance_to(t)
     }
 }
 
 impl<const D: usize> Steps<D> for Gear<D> {
-    fn state(&mut self) -> &mut Verlet<D> {
-        &mut self.state
+    fn state(&self) -> &Verlet<D> {
+        &self.state
     }
 
-    fn run(&mut self, count: u64, h: f64) -> u64 {
-        self.take_steps(count, h)
+    fn come_to(&mut self, t: f64) -> Result<(), ReferenceError> {
+        self.advance_to(t)
     }
-}
-
-/// Goes on to time t in equal steps, none longer than the scheme's own.
-fn advance<const D: usize>(scheme: &mut impl Steps<D>, t: f64) -> Result<(), ReferenceError> {
-    if !(t.is_finite() && t >= scheme.state().now) {
-        return Err(ReferenceError::parameter("t", t, "finite and at least the present time"));
-    }
-    while scheme.state().now < t {
-        let left = t - scheme.state().now;
-        let count = (left / scheme.state().step).ceil().max(1.0);
-        let done = scheme.run(count as u64, left / count);
-        let state = scheme.state();
-        state.now = if done == count as u64 { t } else { state.now + done as f64 * left / count };
-        state.clock = state.now;
-        if !state.fastest.is_finite() {
-            let why = "its velocity is no longer finite";
-            return Err(ReferenceError::Unresolved { time: state.now, grain: 0, why });
-        }
-    }
-    Ok(())
 }
 
 fn advance_until_quiet<const D: usize>(
@@ -63,21 +43,11 @@ fn advance_until_quiet<const D: usize>(
             return Ok(stop);
         }
         let t = scheme.state().next_look(quiet);
-        advance(scheme, t)?;
+        scheme.come_to(t)?;
     }
 }
 
 impl<const D: usize> Verlet<D> {
-    /// Goes on to time t in equal steps, none longer than [`Verlet::time_step`].
-    ///
-    /// # Errors
-    ///
-    /// [`ReferenceError::Parameter`] if t is before now or not finite,
-    /// [`ReferenceError::Unresolved`] if a velocity is no longer finite.
-    pub fn advance_to(&mut self, t: f64) -> Result<(), ReferenceError> {
-        advance(self, t)
-    }
-
     /// Goes on until all fly apart for good, or no contact has existed for some time.
     ///
     /// That is looked at about once a contact time, so the run stops a little late. A contact whose
@@ -119,7 +89,23 @@ impl<const D: usize> Gear<D> {
     ///
     /// As [`Verlet::advance_to`].
     pub fn advance_to(&mut self, t: f64) -> Result<(), ReferenceError> {
-        advance(self, t)
+        if !(t.is_finite() && t >= self.state.now) {
+            return Err(ReferenceError::parameter("t", t, "finite and at least the present time"));
+        }
+        while self.state.now < t {
+            let left = t - self.state.now;
+            let count = (left / self.state.step).ceil().max(1.0);
+            let done = self.take_steps(count as u64, left / count);
+            let state = &mut self.state;
+            let arrived = done == count as u64;
+            state.now = if arrived { t } else { state.now + done as f64 * left / count };
+            state.clock = state.now;
+            if !state.fastest.is_finite() {
+                let why = "its velocity is no longer finite";
+                return Err(ReferenceError::Unresolved { time: state.now, grain: 0, why });
+            }
+        }
+        Ok(())
     }
 
     /// Whether there is a contact now whose force, over a contact time, changes a velocity by more

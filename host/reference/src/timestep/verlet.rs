@@ -1,5 +1,7 @@
 //! What does one step of velocity Verlet do? Reads a system and a law; writes positions and velocities a step on.
 
+use super::leg::Leg;
+use super::told::Push;
 use crate::cells::Neighbours;
 use crate::contact_law::End;
 use crate::error::{ReferenceError, positive};
@@ -9,6 +11,7 @@ use crate::vector::{Vector, length, plus};
 
 /// How finely, and with which list.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VerletOptions {
     /// Time steps per shortest contact; 50 unless told otherwise.
     pub steps_per_contact: f64,
@@ -24,6 +27,7 @@ impl Default for VerletOptions {
 
 /// What a run has cost so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Statistics {
     /// Time steps.
     pub steps: u64,
@@ -67,15 +71,21 @@ pub struct Statistics {
 /// # Ok::<(), carom_reference::ReferenceError>(())
 /// ```
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Verlet<const D: usize> {
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::arrays"))]
     pub(super) positions: Vec<Vector<D>>,
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::arrays"))]
     pub(super) velocities: Vec<Vector<D>>,
     /// Contact accelerations, zero but for the grains in `loaded`.
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::arrays"))]
     pub(super) accelerations: Vec<Vector<D>>,
     pub(super) loaded: Vec<u32>,
     pub(super) radii: Vec<f64>,
     pub(super) masses: Vec<f64>,
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
     pub(super) boundary: [Boundary; D],
+    #[cfg_attr(feature = "serde", serde(with = "crate::saved::array"))]
     pub(super) gravity: Vector<D>,
     pub(super) law: ForceLaw,
     pub(super) end: End,
@@ -94,6 +104,8 @@ pub struct Verlet<const D: usize> {
     pub(super) virial: [f64; 2],
     pub(super) statistics: Statistics,
     pub(super) now: f64,
+    /// The steps under way, if any are.
+    pub(super) leg: Option<Leg>,
     /// The time of the positions, also between two full steps.
     pub(super) clock: f64,
     /// Whether there is a contact now whose force matters, and the last instant with one.
@@ -101,14 +113,6 @@ pub struct Verlet<const D: usize> {
     pub(super) touched: f64,
     pub(super) lightest: f64,
     pub(super) fastest_plate: f64,
-}
-
-/// One contact's force on `grain`; `other` (if any) feels the opposite.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Push<const D: usize> {
-    pub(super) grain: u32,
-    pub(super) other: Option<u32>,
-    pub(super) force: Vector<D>,
 }
 
 impl<const D: usize> Verlet<D> {
@@ -150,6 +154,7 @@ impl<const D: usize> Verlet<D> {
             virial: [0.0; 2],
             statistics: Statistics::default(),
             now: 0.0,
+            leg: None,
             clock: 0.0,
             pushed: false,
             touched: f64::NEG_INFINITY,
@@ -162,13 +167,20 @@ impl<const D: usize> Verlet<D> {
     }
 
     /// The time the run stands at.
+    #[expect(clippy::misnamed_getters, reason = "that of the positions, also in a pause")]
     pub fn now(&self) -> f64 {
-        self.now
+        self.clock
     }
 
     /// The largest step taken (s).
     pub fn time_step(&self) -> f64 {
         self.step
+    }
+
+    /// How many grains there are.
+    #[expect(clippy::len_without_is_empty, reason = "there is always one")]
+    pub fn len(&self) -> usize {
+        self.positions.len()
     }
 
     /// How far beyond contact the pair list reaches.
@@ -199,7 +211,7 @@ impl<const D: usize> Verlet<D> {
 
     /// How grain i moves.
     pub fn velocity(&self, i: usize) -> [f64; D] {
-        self.velocities[i]
+        self.present_velocity(i)
     }
 
     /// All grains as they are now.
@@ -208,7 +220,7 @@ impl<const D: usize> Verlet<D> {
             radius: self.radii[i],
             mass: self.masses[i],
             position: self.positions[i],
-            velocity: self.velocities[i],
+            velocity: self.present_velocity(i),
         };
         (0..self.positions.len()).map(grain).collect()
     }
@@ -224,25 +236,7 @@ impl<const D: usize> Verlet<D> {
 }
 
 impl<const D: usize> Verlet<D> {
-    /// Up to `count` steps of length h, from and to a full step; fewer if the step must shrink.
-    pub(super) fn take_steps(&mut self, count: u64, h: f64) -> u64 {
-        self.kick(0.5 * h);
-        for done in 1..=count {
-            self.drift(h);
-            let shrunk = self.used > self.skin && self.prepare();
-            self.push_all(h);
-            self.virial[1] += h * self.virial[0];
-            self.statistics.steps += 1;
-            if done == count || shrunk || !self.fastest.is_finite() {
-                self.kick(0.5 * h);
-                return done;
-            }
-            self.kick(h);
-        }
-        count
-    }
-
-    fn drift(&mut self, h: f64) {
+    pub(super) fn drift(&mut self, h: f64) {
         let velocities = self.velocities.as_flattened();
         for (r, v) in self.positions.as_flattened_mut().iter_mut().zip(velocities) {
             *r += h * v;
@@ -251,7 +245,7 @@ impl<const D: usize> Verlet<D> {
         self.used += 2.0 * h * self.fastest.max(self.fastest_plate);
     }
 
-    fn kick(&mut self, h: f64) {
+    pub(super) fn kick(&mut self, h: f64) {
         if self.gravity != [0.0; D] {
             let g = self.gravity.map(|g| h * g);
             self.velocities.iter_mut().for_each(|v| *v = plus(v, 1.0, &g));

@@ -7,6 +7,7 @@ mod gas;
 mod input;
 mod invariance;
 mod nothing_missed;
+mod pauses;
 mod plate;
 mod verlet;
 

@@ -11,9 +11,10 @@ use semihosting::process;
 fn main() -> ! {
     let Some(peripherals) = cortex_m::Peripherals::take() else { process::exit(2) };
     let mut chip = Chip::start(peripherals.SYST, CLOCK);
-    if app::tilt_box::<Number>(table(), SHARE.0, &mut chip).is_err() {
-        chip.write(b"error\n");
-        process::exit(1)
+    if let Err(error) = app::tilt_box::<Number>(table(), SHARE.0, &mut chip) {
+        chip.write(error.brief().as_bytes());
+        chip.write(b"\n");
+        process::exit(error.code().into())
     }
     process::exit(0)
 }

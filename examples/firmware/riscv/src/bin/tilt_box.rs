@@ -10,9 +10,10 @@ use semihosting::process;
 #[entry]
 fn main() -> ! {
     let mut chip = Chip::start();
-    if app::tilt_box::<Number>(table(), SHARE.0, &mut chip).is_err() {
-        chip.write(b"error\n");
-        process::exit(1)
+    if let Err(error) = app::tilt_box::<Number>(table(), SHARE.0, &mut chip) {
+        chip.write(error.brief().as_bytes());
+        chip.write(b"\n");
+        process::exit(error.code().into())
     }
     process::exit(0)
 }

@@ -1,8 +1,7 @@
-//! How can carom say no? Every error names the field or knob, its value, and what would be right.
+//! In which ways can a world refuse? Every error names the field or knob, its value, and what would be right.
 
 use crate::particle::Partner;
 use crate::scalar::Instant;
-use core::fmt;
 
 /// What an error is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +13,8 @@ pub enum Subject {
     Grain(usize),
     /// The plane with this number, in the order in which planes were added.
     Plane(usize),
+    /// The facet with this number, in the order in which the memory lends them.
+    Facet(usize),
     /// The axis with this number.
     Axis(usize),
     /// The contact law or rule.
@@ -46,7 +47,7 @@ pub enum Error {
         /// How many it holds now.
         capacity: usize,
     },
-    /// Two grains, or a grain and a plane, overlap at the start.
+    /// Two grains, or a grain and a plane or facet, overlap at the start.
     Overlap {
         /// The grain.
         grain: usize,
@@ -54,6 +55,8 @@ pub enum Error {
         with: Partner,
         /// The distance of their surfaces: negative.
         gap: f64,
+        /// The facet that it overlaps on the other side, where it stands between two that leave it no room.
+        also: Option<Partner>,
     },
     /// A collision lies outside the table's domain and the rule was built with `Outside::Reject`.
     OutsideTable {
@@ -160,62 +163,3 @@ fn unit_for(quantity: &str) -> &'static str {
         _ => "units in which it is nearer to one",
     }
 }
-
-impl fmt::Display for Subject {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Grain(i) => write!(f, "grain {i}"),
-            Self::Plane(i) => write!(f, "plane {i}"),
-            Self::Axis(i) => write!(f, "axis {i}"),
-            Self::Rule => f.write_str("rule"),
-            Self::World => f.write_str("world"),
-        }
-    }
-}
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Input { subject, field, value, wanted } => {
-                write!(f, "{subject}: {field} is {value}, must be {wanted}")
-            }
-            Self::Full { knob, capacity } => {
-                write!(f, "no place left: {knob} holds {capacity}; enlarge it")
-            }
-            Self::Overlap { grain, with, gap } => {
-                write!(
-                    f,
-                    "grain {grain} and {with} overlap: their gap is {gap}, must be at least 0"
-                )
-            }
-            Self::OutsideTable { grain, with, eccentricity, eta, c_dis } => write!(
-                f,
-                "grain {grain} meets {with} outside the table's domain: e = {eccentricity}, 1/l = {eta}, c_dis = {c_dis}; \
-                 choose Outside::Clamp or Outside::HardSphere, or a wider table"
-            ),
-            Self::LongContact { contact_time, overlap, longest } => write!(
-                f,
-                "world: contact time is {contact_time}, must be at most {longest}: at rest a grain would overlap                  what carries it by {overlap} of its radius, at most 0.05 is allowed"
-            ),
-            Self::InvalidOutcome { field, value, wanted } => {
-                write!(f, "the rule returned {field} = {value}, must be {wanted}")
-            }
-            Self::Stuck { grain, with, at, events } => write!(
-                f,
-                "stuck at t = {at}: {events} events at this instant, the last of grain {grain} with {with}; \
-                 the collision rule does not resolve this collapse"
-            ),
-            Self::NotFinite { grain, field, at } => {
-                write!(f, "grain {grain}: its {field} is no longer a finite number at t = {at}")
-            }
-            Self::Overflow { subject, quantity, range, choose } => write!(
-                f,
-                "{subject}: its {quantity} does not fit the fixed-point number, which holds it up to {range}; \
-                 choose {choose}"
-            ),
-            Self::Past { asked, now } => write!(f, "t = {asked} is in the past: it is {now} now"),
-        }
-    }
-}
-
-impl core::error::Error for Error {}
