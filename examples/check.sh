@@ -223,8 +223,9 @@ run() { # target table-of-the-tilt-box
     sed "s/^/$target: heap: /" "$CARGO_TARGET_DIR/$target.heap" >&2
     grep -q '^digest ' "$CARGO_TARGET_DIR/$target.heap" || { say "$target: the heap did not end" && failed=1; }
     # The hourglass, and the rough tilt box: what frames of 25 ms take, and how they go slower in real time.
+    # (They write to standard error, as the tilt box does.)
     for box in hourglass rough_box; do
-      COUNT=1 board "$target" "$image/$box" >"$CARGO_TARGET_DIR/$target.$box" || { say "$target: $box failed" && failed=1; }
+      COUNT=1 board "$target" "$image/$box" >"$CARGO_TARGET_DIR/$target.$box" 2>&1 || { say "$target: $box failed" && failed=1; }
       say "$target: $box: $(flash "$image/$box") bytes of flash, $(grep ' [0-9]' "$CARGO_TARGET_DIR/$target.$box" | paste -sd, | sed 's/,/, /g')"
     done
   fi
