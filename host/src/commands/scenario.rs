@@ -73,7 +73,8 @@ fn refusals(file: &Path, start: &Start) -> Result<Found> {
         let message = format!("{why:#}");
         // Most name their field.
         let field = message.split([' ', ':']).next().filter(|field| field.starts_with("observe"));
-        let path = field.unwrap_or(path).to_owned();
+        let named = why.downcast_ref::<Problem>().map(|problem| problem.path.as_str());
+        let path = named.or(field).unwrap_or(path).to_owned();
         let problem = Problem { path, offset: None, message };
         found.push((place_of(&text, &problem), problem));
     };

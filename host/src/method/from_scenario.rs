@@ -7,12 +7,13 @@ use super::l94::{Hard, L94};
 use super::obstacles::{Obstacles, surface};
 use super::running::{AnyRule, Borrower, Running};
 use super::spins::{Smooth, Spins};
+use super::told::told;
 use crate::drive::Driving;
 use crate::integrated::Integrated;
 use crate::observe::Layout;
 use crate::scenario::{
     EnduringSpec, FrictionSpec, LawSpec, Laws, Made, MatrixSpec, MethodName, OutsideSpec,
-    ReleaseSpec, Scenario, Shaking, Side, Start, sources,
+    ReleaseSpec, Scenario, Shaking, Side, Start, buried, sources,
 };
 use crate::tables::embedded;
 use anyhow::{Context, Result, bail};
@@ -173,6 +174,7 @@ fn world<'m, const D: usize, R: Rule<f64> + Send + 'm>(
         let method = method.with_tally(layout.as_ref(), tally.as_deref());
         return Ok(Box::new(method.driven(driving)));
     }
+    buried(start).map_or(Ok(()), Err)?;
     let builder = World::builder_with(buffers).gravity(first(&start.gravity));
     let builder = builder.enduring(enduring(scenario));
     let builder =
@@ -184,7 +186,8 @@ fn world<'m, const D: usize, R: Rule<f64> + Send + 'm>(
             .moving(first(&grain.velocity))
             .of_material(material)
     });
-    let world = builder.grains(grains).and_then(WorldBuilder::start)?;
+    let world = builder.grains(grains).and_then(WorldBuilder::start);
+    let world = world.map_err(|why| told(why, start))?;
     let method = EventDriven::new(world, name, scenario.options.events);
     let driving = driving(scenario, start)?;
     Ok(Box::new(method.with_tally(layout.as_ref(), None).driven(driving)))

@@ -8,6 +8,7 @@ mod l94;
 mod obstacles;
 mod running;
 mod spins;
+mod told;
 
 pub use event_driven::EventDriven;
 pub use force_based::ForceBased;

@@ -31,20 +31,30 @@ pub fn arrange(
     let ground =
         |spacing: f64| up(crowd, gravity).map(|up| Ground { up, region: crowd.region, spacing });
     let mut places = match place {
-        PlaceSpec::Lattice { lattice, .. } => lattice::sites(*lattice, &crowd.region, count),
+        PlaceSpec::Lattice { lattice, .. } => {
+            let sites = |wanted| lattice::sites(*lattice, &crowd.region, wanted);
+            thinned(&clear(crowd, sites)?, count)
+        }
         PlaceSpec::Layer { gap, .. } => {
             let ground = ground(widest * (1.0 + gap.unwrap_or(GAP)).max(MARGIN))?;
-            free(crowd, ground.layer()).take(count).collect()
+            free(crowd, ground.layer().take(MOST_SITES + SITES_PER_GRAIN * count))
+                .take(count)
+                .collect()
         }
         PlaceSpec::Pile { at } => {
             let middle: [f64; 3] = crowd.region.axes.map(|[low, high]| 0.5 * (low + high));
             let at = std::array::from_fn(|axis| {
                 at.as_ref().and_then(|at| at.get(axis).copied()).unwrap_or(middle[axis])
             });
-            ground(widest * MARGIN)?.pile(count, at)
+            let ground = ground(widest * MARGIN)?;
+            clear(crowd, |wanted| ground.pile(wanted, at))?
         }
         PlaceSpec::Fill { .. } | PlaceSpec::File { .. } => Vec::new(),
     };
+    places.truncate(count);
+    if places.len() < count {
+        return Err(too_few(crowd, places.len()));
+    }
     places.shuffle(rng);
     check(crowd, &places)?;
     Ok(places)
@@ -73,7 +83,68 @@ fn free<'c>(
 ) -> impl Iterator<Item = [f64; 3]> + 'c {
     let radius = crowd.radii.first().copied().unwrap_or_default();
     let cells = Cells::of(crowd.others, radius, crowd.sides);
-    sites.filter(move |site| cells.is_free(site, radius, crowd.others))
+    let is_clear = move |site: &[f64; 3]| crowd.obstacles.are_clear_of(site, radius);
+    sites.filter(move |site| cells.is_free(site, radius, crowd.others) && is_clear(site))
+}
+
+/// Rows of a layer are given up after so many sites.
+const MOST_SITES: usize = 10_000_000;
+
+/// A lattice or a heap is given up after so many sites a grain, and as many as for ten grains besides.
+const SITES_PER_GRAIN: usize = 100;
+
+fn too_few(crowd: &Crowd<'_>, found: usize) -> Problem {
+    let count = crowd.radii.len();
+    problem(crowd, &format!("{count} grains do not fit, found {found} places clear of obstacles"))
+}
+
+/// Of sites, of which there are as many as one wants, those at which the largest grain overlaps no obstacle: as few are
+/// wanted as give enough.
+fn clear(
+    crowd: &Crowd<'_>,
+    sites: impl Fn(usize) -> Vec<[f64; 3]>,
+) -> Result<Vec<[f64; 3]>, Problem> {
+    let count = crowd.radii.len();
+    let largest = crowd.radii.first().copied().unwrap_or_default();
+    let left = |wanted: usize| {
+        let mut sites = sites(wanted);
+        sites.retain(|site| crowd.obstacles.are_clear_of(site, largest));
+        sites
+    };
+    let (mut few, mut enough, mut places) = (count.saturating_sub(1), count, left(count));
+    while places.len() < count {
+        few = enough;
+        enough += (count - places.len()).max(enough / 16);
+        if enough > (count + 10).saturating_mul(SITES_PER_GRAIN) {
+            return Err(too_few(crowd, places.len()));
+        }
+        places = left(enough);
+    }
+    Ok(fewest(count, left, few, (enough, places)))
+}
+
+/// The places that are left of the least number of sites that leaves enough, between one that does not and one that does.
+fn fewest(
+    count: usize,
+    left: impl Fn(usize) -> Vec<[f64; 3]>,
+    mut few: usize,
+    (mut enough, mut places): (usize, Vec<[f64; 3]>),
+) -> Vec<[f64; 3]> {
+    while enough - few > 1 {
+        let middle = few + (enough - few) / 2;
+        match left(middle) {
+            fewer if fewer.len() < count => few = middle,
+            found => (enough, places) = (middle, found),
+        }
+    }
+    places
+}
+
+/// So many of the places, the others left out evenly.
+fn thinned(places: &[[f64; 3]], count: usize) -> Vec<[f64; 3]> {
+    let is_used = |k: usize| (k + 1) * count / places.len() > k * count / places.len();
+    let used = places.iter().enumerate().filter(|(k, _)| is_used(*k));
+    used.map(|(_, place)| *place).collect()
 }
 
 /// Nobody may overlap anybody, or stand out of the region.

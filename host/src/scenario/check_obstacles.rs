@@ -94,6 +94,9 @@ fn one(
     if obstacle.closed && is_flat {
         problems.add(below("closed"), "is given, but only meshes have holes: a polygon is closed");
     }
+    if obstacle.solid && obstacle.chain.is_some() {
+        problems.add(below("solid"), "is given, but a chain has no inside: give a polygon");
+    }
     made_of(&path, obstacle.made(), laws, problems);
 }
 

@@ -1,5 +1,6 @@
 //! Where do grains go at random? Reads radii and a region; writes nothing, returns places without overlap.
 
+use super::clear::Obstacles;
 use super::compress::{self, Growth};
 use super::near::Cells;
 use super::problem::{Problem, named};
@@ -17,6 +18,8 @@ pub struct Crowd<'a> {
     pub region: Region,
     /// What bounds the box.
     pub sides: &'a [Side; 3],
+    /// What stands in it.
+    pub obstacles: &'a Obstacles,
     /// Their radii, largest first.
     pub radii: &'a [f64],
     /// Grains that are there.
@@ -28,6 +31,9 @@ const TRIES: usize = 20_000;
 
 /// Up to which packing fraction grains find places one after the other without many tries, by dimension.
 const DILUTE: [f64; 3] = [0.6, 0.45, 0.3];
+
+/// As what part of their size grains are not tried to be placed smaller.
+const SMALLEST: f64 = 0.1;
 
 /// The densest packing of equal spheres, by dimension.
 const DENSEST: [f64; 3] = [1.0, 0.906_899_682_117_109, 0.740_480_489_693_061];
@@ -68,27 +74,36 @@ impl Crowd<'_> {
 /// When so many grains cannot be placed.
 pub fn fill(crowd: &Crowd<'_>, rng: &mut Pcg64) -> Result<Vec<[f64; 3]>, Problem> {
     if crowd.packing() <= DILUTE[crowd.region.dimension - 1]
-        && let Ok(places) = anew_until_free(crowd, rng)
+        && let Ok(places) = anew_until_free(crowd, 1.0, rng)
     {
         return Ok(places);
     }
     compressed(crowd, rng)
 }
 
-/// Uniformly, one after the other, each anew until it overlaps nothing.
+/// Uniformly, one after the other, each anew until it overlaps nothing. Grains are as large as `scale` says, but where they
+/// would overlap obstacles in their full size they are not placed.
 ///
 /// # Errors
 /// When one finds no place.
-pub fn anew_until_free(crowd: &Crowd<'_>, rng: &mut Pcg64) -> Result<Vec<[f64; 3]>, Problem> {
+pub fn anew_until_free(
+    crowd: &Crowd<'_>,
+    scale: f64,
+    rng: &mut Pcg64,
+) -> Result<Vec<[f64; 3]>, Problem> {
     let mut grains = crowd.others.to_vec();
-    let largest = crowd.radii.iter().copied().fold(0.0, f64::max);
+    let largest = crowd.radii.iter().map(|radius| scale * radius).fold(0.0, f64::max);
     let mut cells = Cells::of(crowd.others, largest, crowd.sides);
-    for (number, &radius) in crowd.radii.iter().enumerate() {
+    for (number, &full) in crowd.radii.iter().enumerate() {
+        let radius = scale * full;
         let range = crowd.range(radius)?;
         let mut place = || range.map(|[from, to]| from + (to - from) * rng.random::<f64>());
-        let mut tries = std::iter::repeat_with(&mut place).take(TRIES);
-        let Some(position) = tries.find(|place| cells.is_free(place, radius, &grains)) else {
-            let message = format!("no place found for grain {number} in {TRIES} tries");
+        let is_good = |place: &[f64; 3]| {
+            cells.is_free(place, radius, &grains) && crowd.obstacles.are_clear_of(place, full)
+        };
+        let Some(position) = std::iter::repeat_with(&mut place).take(TRIES).find(is_good) else {
+            let clear = if crowd.obstacles.are_none() { "" } else { " clear of obstacles" };
+            let message = format!("no place{clear} found for grain {number} in {TRIES} tries");
             return Err(crowd.problem(&message));
         };
         cells.add(grains.len(), &position);
@@ -115,13 +130,21 @@ pub fn compressed(crowd: &Crowd<'_>, rng: &mut Pcg64) -> Result<Vec<[f64; 3]>, P
     }
     crowd.radii.first().map_or(Ok([[0.0; 2]; 3]), |&radius| crowd.range(radius))?;
     let scale = (0.6 * dilute / packing).powf(1.0 / dimension as f64).min(0.8);
-    let small: Vec<f64> = crowd.radii.iter().map(|radius| scale * radius).collect();
-    let start = anew_until_free(&Crowd { radii: &small, ..*crowd }, rng)?;
-    let growth = Growth { region: crowd.region, radii: crowd.radii, others: crowd.others, scale };
+    let (scale, start) = small(crowd, scale, rng)?;
+    let Crowd { region, radii, others, obstacles, .. } = *crowd;
+    let growth = Growth { region, radii, others, obstacles, scale };
     compress::grow(&growth, start, rng).map_err(|jammed| {
         let jammed = packing * jammed.0.powi(dimension as i32);
         crowd.problem(&format!(
             "a packing fraction of {packing:.4} cannot be reached: compressed at random, these grains jam at {jammed:.4}"
         ))
     })
+}
+
+/// Places for grains that are this small, or smaller where obstacles leave too little room for that.
+fn small(crowd: &Crowd<'_>, scale: f64, rng: &mut Pcg64) -> Result<(f64, Vec<[f64; 3]>), Problem> {
+    match anew_until_free(crowd, scale, rng) {
+        Err(_) if scale > SMALLEST && !crowd.obstacles.are_none() => small(crowd, 0.7 * scale, rng),
+        placed => placed.map(|places| (scale, places)),
+    }
 }

@@ -1,5 +1,6 @@
 //! Where do the grains of a gas go? Reads number, radii and box; writes grains that do not overlap.
 
+use super::clear::Obstacles;
 use super::fill::{self, Crowd};
 use super::grains::{Gas, PlaceSpec};
 use super::problem::Problem;
@@ -25,11 +26,11 @@ pub fn radii(gas: &Gas) -> Vec<f64> {
 /// # Errors
 /// When an axis is open, or so many grains cannot be placed.
 pub fn scatter(
-    gas: &Gas,
-    density: f64,
+    (gas, density): (&Gas, f64),
     sides: &[Side; 3],
-    dimension: usize,
+    obstacles: &Obstacles,
     grains: &mut Vec<Placed>,
+    dimension: usize,
 ) -> Result<(), Problem> {
     let radii = radii(gas);
     let first = grains.len();
@@ -37,8 +38,9 @@ pub fn scatter(
     let volume = radii.iter().map(|radius| filled(*radius, dimension)).sum();
     let place = ("gas", &PlaceSpec::default());
     let region = Region::new(place, dimension, sides, (volume, gas.packing_fraction))?;
-    let crowd = Crowd { path: "gas", region, sides, radii: &radii, others: &grains[..] };
-    let positions = fill::anew_until_free(&crowd, &mut rng)
+    let others = &grains[..];
+    let crowd = Crowd { path: "gas", region, sides, obstacles, radii: &radii, others };
+    let positions = fill::anew_until_free(&crowd, 1.0, &mut rng)
         .map_or_else(|_| fill::compressed(&crowd, &mut rng), Ok)?;
     for (radius, position) in radii.into_iter().zip(positions) {
         let mass = sphere_mass(radius, density);

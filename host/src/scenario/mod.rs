@@ -1,6 +1,8 @@
 //! What is to be simulated? Reads a TOML file; writes nothing, returns a checked scenario.
 
 mod arrange;
+mod bounds;
+mod buried;
 mod carried;
 mod check;
 mod check_drive;
@@ -10,7 +12,10 @@ mod check_laws;
 mod check_obstacles;
 mod check_shear;
 mod check_species;
+mod clear;
+mod closed;
 mod compress;
+mod crossings;
 mod document;
 mod drive;
 mod fields;
@@ -23,10 +28,14 @@ mod lattice;
 mod law;
 mod laws;
 mod memory;
+mod mesh;
+mod motion;
 mod near;
+mod nearest;
 mod observe;
 mod obstacle;
 mod options;
+mod outside;
 mod populate;
 mod problem;
 mod radii;
@@ -40,17 +49,20 @@ mod sides;
 mod sources;
 mod spec;
 mod stack;
+mod standing;
 mod start;
 mod thermal;
 mod touching;
 mod walls;
 
+pub use buried::buried;
 pub use drive::{DriveSpec, EndName};
 pub use fields::fields;
 pub use friction::{FrictionSpec, SPHERE};
 pub use grains::{Gas, GrainSpec, LatticeName, PlaceSpec, RadiusSpec, SpeciesSpec};
 pub use law::{LawSpec, MaterialSpec, PairLawSpec};
 pub use laws::Laws;
+pub use motion::Motion;
 pub use observe::{
     Axis, CorrelationSpec, HeightSpec, ModesSpec, ObserveSpec, PairSpec, ProfileSpec,
 };
@@ -63,6 +75,7 @@ pub use side::{Flow, Made, Placed, Shaking, Side, present};
 pub use sides::{ShearSpec, SideSpec, Sides, SurfaceSpec};
 pub use sources::sources;
 pub use spec::{MethodName, Scenario};
+pub use standing::{Inside, Standing};
 pub use start::Start;
 pub use touching::touching;
-pub use walls::{Motion, Wall};
+pub use walls::Wall;

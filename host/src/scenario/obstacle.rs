@@ -27,6 +27,10 @@ pub struct ObstacleSpec {
     /// Whether the mesh must be closed: each edge belongs to two triangles. A hole is then an error that names its place.
     #[serde(default)]
     pub closed: bool,
+    /// Whether it is solid: nothing is placed inside of a polygon, or of a mesh, which then must be closed. Without it an
+    /// obstacle is its walls, as that of an hourglass is, and grains may be placed on either side of them.
+    #[serde(default)]
+    pub solid: bool,
     /// How fast its surface moves along itself, from each corner of a polygon or chain to the next (m/s): a belt, or the
     /// wall of a round drum. Rough grains feel it.
     #[serde(default)]

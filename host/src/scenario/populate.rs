@@ -1,6 +1,7 @@
 //! Where do the grains of all species go, and how fast are they? Reads species and box; writes grains.
 
 use super::arrange::arrange;
+use super::clear::Obstacles;
 use super::fill::{self, Crowd};
 use super::frames::{self, Told};
 use super::grains::{PlaceSpec, SpeciesSpec};
@@ -111,7 +112,7 @@ fn of_file<'s>(
 /// When they cannot be placed.
 pub fn place(
     scenario: &Scenario,
-    sides: &[Side; 3],
+    among: (&[Side; 3], &Obstacles),
     populations: &mut [Population<'_>],
     grains: &mut Vec<Placed>,
 ) -> Result<Vec<usize>, Problem> {
@@ -125,7 +126,7 @@ pub fn place(
         let group = &mut populations[begin..end];
         of_species.extend(match is_file {
             true => as_told(scenario, &group[0], grains),
-            false => place_together(scenario, sides, group, grains)?,
+            false => place_together(scenario, among, group, grains)?,
         });
         begin = end;
     }
@@ -156,7 +157,7 @@ fn as_told(
 /// Places the species of one placement, mixed.
 fn place_together(
     scenario: &Scenario,
-    sides: &[Side; 3],
+    (sides, obstacles): (&[Side; 3], &Obstacles),
     group: &mut [Population<'_>],
     grains: &mut Vec<Placed>,
 ) -> Result<Vec<usize>, Problem> {
@@ -184,7 +185,8 @@ fn place_together(
     }
     order.sort_by(|a, b| b.0.total_cmp(&a.0));
     let radii: Vec<f64> = order.iter().map(|(radius, _)| *radius).collect();
-    let crowd = Crowd { path: &path, region, sides, radii: &radii, others: &grains[..] };
+    let others = &grains[..];
+    let crowd = Crowd { path: &path, region, sides, obstacles, radii: &radii, others };
     let mut rng = generator(scenario, group[0].number, 1);
     let gravity = std::array::from_fn(|k| scenario.gravity.get(k).copied().unwrap_or(0.0));
     let positions = match spec {

@@ -1,17 +1,20 @@
 //! Where does everything stand? Reads a scenario; writes nothing, returns grains and box at time 0.
 
+use super::bounds::{flow, made, sides};
+use super::clear::Obstacles;
 use super::friction;
 use super::gas;
 use super::grains::{GrainSpec, PlaceSpec};
 use super::laws::Laws;
+use super::motion::Motion;
+use super::outside::{Room, outside};
 use super::populate::{self, Population};
 use super::problem::Problem;
-use super::side::{Flow, Made, Placed, Shaking, Side, filled, sphere_mass};
-use super::sides::{MadeSpec, SideSpec, SurfaceSpec};
+use super::side::{Flow, Placed, Side, sphere_mass};
 use super::spec::Scenario;
-use super::walls::{self, Motion, Wall};
+use super::standing::Standing;
+use super::walls::{self, Wall};
 use anyhow::Result;
-use carom_reference::Plate;
 
 /// Grains, box and gravity: the same for every method.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -46,6 +49,8 @@ pub struct Start {
     pub walls: Vec<Wall>,
     /// How obstacles move.
     pub motions: Vec<Motion>,
+    /// What they are called, in the order of the scenario.
+    pub obstacles: Vec<Standing>,
 }
 
 impl Start {
@@ -73,6 +78,12 @@ impl Start {
         Some([0, 1].map(|end| ends[end] + self.steady[axis][end] * time))
     }
 
+    /// Of which obstacle a facet is, and what it is called.
+    pub fn facet(&self, number: usize) -> Option<(usize, String)> {
+        let obstacle = self.walls.get(number)?.obstacle;
+        Some((obstacle, self.obstacles.get(obstacle)?.facet(obstacle, number)))
+    }
+
     /// Mean radius of the grains.
     pub fn mean_radius(&self) -> f64 {
         self.grains.iter().map(|grain| grain.radius).sum::<f64>() / self.grains.len() as f64
@@ -92,25 +103,35 @@ impl Start {
         start.gravity = padded(&scenario.gravity);
         start.flow = flow(scenario, &start.sides);
         start.has_species = !scenario.species.is_empty();
-        for (number, obstacle) in scenario.obstacles.iter().enumerate() {
-            let made = made(&start.laws, obstacle.made());
-            let mut walls = walls::walls((number, obstacle), &scenario.folder, made)?;
-            if let Some(motion) = Motion::of(obstacle) {
-                let number = u8::try_from(start.motions.len()).ok();
-                walls.iter_mut().for_each(|wall| wall.motion = number);
-                start.motions.push(motion);
-            }
-            start.walls.extend(walls);
-        }
+        start.stand(scenario)?;
+        let obstacles = Obstacles::new(&start.walls, &start.motions, &start.obstacles);
         start.list(scenario);
-        start.scatter(scenario)?;
-        start.populate(scenario, &mut populations)?;
+        start.scatter(scenario, &obstacles)?;
+        start.populate(scenario, &obstacles, &mut populations)?;
         start.inertia = scenario.inertia.unwrap_or(friction::SPHERE);
         if scenario.has_friction() {
             start.rotations = scenario.grains.iter().map(rotation).collect();
             start.rotations.resize(start.grains.len(), [0.0; 3]);
         }
         Ok(start)
+    }
+
+    /// Puts obstacles up.
+    fn stand(&mut self, scenario: &Scenario) -> Result<(), Problem> {
+        for (number, obstacle) in scenario.obstacles.iter().enumerate() {
+            let made = made(&self.laws, obstacle.made());
+            let (inside, mut walls) = walls::walls((number, obstacle), &scenario.folder, made)?;
+            let (file, piece) = (obstacle.file.clone(), obstacle.piece());
+            self.obstacles.push(Standing { file, piece, inside, first: self.walls.len() });
+            if let Some(motion) = Motion::of(obstacle) {
+                let number = u8::try_from(self.motions.len()).ok();
+                walls.iter_mut().for_each(|wall| wall.motion = number);
+                self.motions.push(motion);
+            }
+            self.walls.extend(walls);
+        }
+        let room = Room::new(self.dimension, &self.sides, &self.steady);
+        outside(&room, &self.walls, &self.obstacles).map_or(Ok(()), Err)
     }
 
     /// Gives grains from a number on the velocity of the flow besides their own, those which (counted from there) take it.
@@ -144,11 +165,11 @@ impl Start {
         }
     }
 
-    fn scatter(&mut self, scenario: &Scenario) -> Result<(), Problem> {
+    fn scatter(&mut self, scenario: &Scenario, obstacles: &Obstacles) -> Result<(), Problem> {
         let Some(gas) = &scenario.gas else { return Ok(()) };
         let density = density(scenario, &self.laws, gas.density, gas.material.as_deref());
         let first = self.grains.len();
-        gas::scatter(gas, density, &self.sides, self.dimension, &mut self.grains)?;
+        gas::scatter((gas, density), &self.sides, obstacles, &mut self.grains, self.dimension)?;
         self.let_flow(first, |_| true);
         self.label("gas", gas.material.as_deref());
         Ok(())
@@ -157,10 +178,12 @@ impl Start {
     fn populate(
         &mut self,
         scenario: &Scenario,
+        obstacles: &Obstacles,
         populations: &mut [Population<'_>],
     ) -> Result<(), Problem> {
         let (first, first_grain) = (self.species_names.len(), self.grains.len());
-        let of = populate::place(scenario, &self.sides, populations, &mut self.grains)?;
+        let of =
+            populate::place(scenario, (&self.sides, obstacles), populations, &mut self.grains)?;
         let is_told = |k: usize| matches!(scenario.species[k].place, PlaceSpec::File { .. });
         self.let_flow(first_grain, |grain| !is_told(of[grain]));
         let number =
@@ -203,106 +226,4 @@ fn rotation(grain: &GrainSpec) -> [f64; 3] {
 
 fn padded(numbers: &[f64]) -> [f64; 3] {
     std::array::from_fn(|k| numbers.get(k).copied().unwrap_or(0.0))
-}
-
-/// The box, its size set by a packing fraction where sides say none.
-fn sides(
-    scenario: &Scenario,
-    laws: &Laws,
-    populations: &[Population<'_>],
-) -> Result<[Side; 3], Problem> {
-    let edge = edge(scenario, populations)?;
-    let mut sides = [Side::Open; 3];
-    for (side, (name, spec)) in sides.iter_mut().zip(scenario.sides.named()) {
-        let range = |from: Option<f64>, to: Option<f64>| match (from, to, edge) {
-            (Some(from), Some(to), _) => Ok([from, to]),
-            (_, _, Some(edge)) => Ok([0.0, edge]),
-            _ => {
-                let message = format!(
-                    "box.{name}: give from and to [m], or gas.packing_fraction or box.packing_fraction"
-                );
-                Err(Problem { path: format!("box.{name}"), offset: None, message })
-            }
-        };
-        let made = made(laws, spec.surface().unwrap_or_default());
-        *side = match *spec {
-            SideSpec::Open => Side::Open,
-            SideSpec::Periodic { from, to } => Side::Periodic(range(from, to)?),
-            SideSpec::Walls { from, to, amplitude, frequency, phase, .. } => {
-                let shaking = Shaking { amplitude, frequency, phase };
-                Side::Walls(range(from, to)?, made, (amplitude != 0.0).then_some(shaking))
-            }
-            SideSpec::Plate { at, amplitude, frequency, phase, .. } => {
-                Side::Plate(Plate { at, amplitude, frequency, phase }, made)
-            }
-        };
-    }
-    Ok(sides)
-}
-
-/// The flow of a sheared box.
-fn flow(scenario: &Scenario, sides: &[Side; 3]) -> Option<Flow> {
-    let shear = scenario.sides.shear?;
-    let [from, to] = sides[shear.gradient.number()].range()?;
-    let (along, gradient) = (shear.flow.number(), shear.gradient.number());
-    Some(Flow { along, gradient, rate: shear.rate, middle: 0.5 * (from + to) })
-}
-
-fn made(laws: &Laws, (surface, restitution, material): MadeSpec<'_>) -> Made {
-    match (material, restitution) {
-        (Some(name), _) => Made::Of(laws.number(Some(name)).unwrap_or(0) as u8),
-        (None, Some(restitution)) => Made::Hard(restitution),
-        (None, None) if surface == Some(SurfaceSpec::Hard) => Made::Hard(1.0),
-        (None, None) => Made::Soft,
-    }
-}
-
-/// How long the sides are that say no size, so that the packing fraction is what the scenario says.
-fn edge(scenario: &Scenario, populations: &[Population<'_>]) -> Result<Option<f64>, Problem> {
-    let of_gas = scenario.gas.as_ref().and_then(|gas| gas.packing_fraction);
-    let (path, packing) = match (scenario.sides.packing_fraction, of_gas) {
-        (Some(packing), None) => ("box.packing_fraction", packing),
-        (None, Some(packing)) => ("gas.packing_fraction", packing),
-        (None, None) => return Ok(None),
-        (Some(_), Some(_)) => {
-            let message =
-                "box.packing_fraction is given, and so is gas.packing_fraction: give one of them";
-            return Err(Problem {
-                path: "box.packing_fraction".to_owned(),
-                offset: None,
-                message: message.to_owned(),
-            });
-        }
-    };
-    let d = scenario.dimension;
-    let (mut sized, mut unsized_axes, mut has_plate) = (1.0, 0, false);
-    for (_, spec) in &scenario.sides.named()[..d] {
-        match spec {
-            SideSpec::Periodic { from, to } | SideSpec::Walls { from, to, .. } => {
-                match (from, to) {
-                    (Some(from), Some(to)) => sized *= to - from,
-                    _ => unsized_axes += 1,
-                }
-            }
-            SideSpec::Plate { .. } => has_plate = true,
-            SideSpec::Open => {}
-        }
-    }
-    if unsized_axes == 0 && has_plate {
-        return Ok(None);
-    }
-    if unsized_axes == 0 {
-        let message =
-            format!("{path} sets the size of the box: leave out from and to of a side, or it");
-        return Err(Problem { path: path.to_owned(), offset: None, message });
-    }
-    let radii = |population: &Population<'_>| population.radii.clone();
-    let mut all: Vec<f64> = populations.iter().flat_map(radii).collect();
-    all.extend(scenario.gas.iter().flat_map(gas::radii));
-    if path == "box.packing_fraction" {
-        all.extend(scenario.grains.iter().map(|grain| grain.radius));
-    }
-    let volume: f64 = all.into_iter().map(|radius| filled(radius, d)).sum();
-    let axes = unsized_axes + i32::from(has_plate);
-    Ok(Some((volume / (packing * sized)).powf(1.0 / f64::from(axes))))
 }

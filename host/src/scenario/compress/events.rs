@@ -21,6 +21,7 @@ impl Run {
                 }
                 Next::Touch { other, shift, .. } => self.touch(i, other, shift),
                 Next::End { axis, upper } => self.touch_end(i, axis, upper),
+                Next::Facet(facet) => self.touch_facet(i, facet),
                 Next::Cross { axis, up } => self.cross(i, axis, up),
             }
             return true;

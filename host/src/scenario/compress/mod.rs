@@ -5,6 +5,7 @@
 //! grow, so this small event-driven loop stands for itself: it knows neither time nor mass nor law.
 
 mod events;
+mod facets;
 mod grow;
 mod predict;
 mod state;

@@ -15,6 +15,7 @@ impl Run {
             let steps = [step % 3, step / 3 % 3, step / 9].map(|k| k as isize - 1);
             self.look_into(i, &here, steps, &mut best);
         }
+        self.look_at_facets(i, &here, &mut best);
         let body = &mut self.bodies[i];
         body.prediction += 1;
         body.next = best.1;

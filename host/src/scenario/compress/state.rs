@@ -1,5 +1,7 @@
 //! Where are grains that grow, how large, and how fast? Reads what is to grow; keeps each grain at its own time, its cell and its next event.
 
+use super::super::clear::Obstacles;
+use super::super::nearest::Point;
 use super::super::region::Region;
 use super::super::side::Placed;
 use rand::RngExt;
@@ -16,6 +18,8 @@ pub struct Growth<'a> {
     pub radii: &'a [f64],
     /// Grains that stay as they are.
     pub others: &'a [Placed],
+    /// What stands there; grains come off it.
+    pub obstacles: &'a Obstacles,
     /// How large they are at first, as a part of that.
     pub scale: f64,
 }
@@ -55,6 +59,8 @@ pub(super) enum Next {
         axis: usize,
         upper: bool,
     },
+    /// It touches a facet of an obstacle.
+    Facet(usize),
     /// It enters the next cell.
     Cross {
         axis: usize,
@@ -90,6 +96,9 @@ pub(super) struct Run {
     pub(super) rate: f64,
     pub(super) counts: [usize; 3],
     pub(super) cells: Vec<Vec<u32>>,
+    /// The facets of obstacles, and which of them can be touched from each cell; no lists without any.
+    pub(super) facets: Vec<Vec<Point>>,
+    pub(super) facets_near: Vec<Vec<usize>>,
     pub(super) queue: BinaryHeap<Reverse<(Due, usize, u32)>>,
     pub(super) now: f64,
     pub(super) collisions: usize,
@@ -137,6 +146,8 @@ impl Run {
             rate,
             counts,
             cells: vec![Vec::new(); counts.iter().product()],
+            facets: Vec::new(),
+            facets_near: Vec::new(),
             queue: BinaryHeap::new(),
             now: 0.0,
             collisions: 0,
@@ -144,6 +155,7 @@ impl Run {
         for i in 0..run.bodies.len() {
             run.enter(i);
         }
+        run.list_facets(growth.obstacles, 0.5 * width);
         (0..run.moving).for_each(|i| run.predict(i));
         run
     }
