@@ -182,12 +182,16 @@ fn among_facets<S: Scalar, const D: usize>(
     far: S,
     now: S,
 ) -> Result<(), Error> {
-    let (position, far) = (&who.1.position, far.max(obstacles.far()));
+    let position = &who.1.position;
     let mut first = None;
     for k in obstacles.near(position, now) {
         let distance = obstacles.distance(k, position, now).unwrap_or(S::NEVER);
         let gap = distance - who.1.radius;
-        let Err(overlap) = refuse_overlap(who, Partner::facet(k), gap, far) else { continue };
+        // How far all facets reach is asked for those only that seem to overlap one.
+        let refusal = refuse_overlap(who, Partner::facet(k), gap, far);
+        let refusal = refusal
+            .or_else(|_| refuse_overlap(who, Partner::facet(k), gap, far.max(obstacles.far())));
+        let Err(overlap) = refusal else { continue };
         let Some(Plane { normal, .. }) = obstacles.plane(k, position, now) else { continue };
         match first {
             None => first = Some((overlap, normal)),

@@ -173,7 +173,15 @@ fn a_scenario_is_checked() {
     let found = String::from_utf8(output.stdout).expect("text");
     let wanted = ":12:1: observe.profile.axis is z, but dimension is 1\n";
     assert!(!output.status.success() && found.ends_with(wanted), "{found}");
-    for name in ["beads", "column", "fig6", "gas", "layer", "mixture"] {
+    // A grain in a wall.
+    let wall = "dimension = 2\nsample = 0.5\nduration = 1.0\nlaw = { kind = \"constant\", restitution = 1.0 }\n\
+        [[obstacle]]\nchain = [[0.0, 0.0], [9.0, 0.0]]\n[[grain]]\nradius = 0.5\nmass = 1.0\nat = [1.0, 0.25]\n";
+    let file = written(folder.path(), "wall.toml", wall);
+    let output = carom().args(["scenario", "check", text(&file)]).output().expect("carom runs");
+    let found = String::from_utf8(output.stdout).expect("text");
+    let wanted = ":10:1: eMD: grain 0 overlaps piece 0 of obstacle 0; it is at [1.0, 0.25] m, its gap is -0.25 m, must be at least 0\n";
+    assert!(!output.status.success() && found.ends_with(wanted), "{found}");
+    for name in ["beads", "column", "fig6", "gas", "hourglass", "layer", "mixture"] {
         let good = run(&["scenario", "check", text(&scenario(&format!("{name}.toml")))]);
         assert!(String::from_utf8_lossy(&good.stdout).contains("good, "));
     }

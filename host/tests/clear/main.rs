@@ -1,6 +1,7 @@
 //! Are grains placed clear of obstacles, and outside of solid ones? Scenarios from text; distances and solid angles computed in `geometry.rs`.
 
 mod geometry;
+mod rays;
 
 use carom_host::method;
 use carom_host::scenario::{MethodName, Placed, Scenario, Start};
