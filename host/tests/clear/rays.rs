@@ -52,4 +52,10 @@ fn rays_that_meet_corners_and_edges_count_them_once() {
     ] {
         assert_eq!(begins(3, &octahedron, at), is_free, "{at:?}");
     }
+    // One of its triangles turned inwards: rays that cross it are counted, not signed.
+    faces[0].swap(1, 2);
+    let unlike = format!("triangles = {faces:?}");
+    for (at, is_free) in [([-2.0, 0.25, 0.125], true), ([0.0, 0.25, 0.125], false)] {
+        assert_eq!(begins(3, &unlike, at), is_free, "{at:?}");
+    }
 }
