@@ -95,3 +95,14 @@ fn what_obstacles_do_not_stand_in_is_refused() {
     let refused = World::builder(&mut memory).rule(PaperMode(RULE)).start();
     assert!(matches!(refused.err().unwrap(), Error::Input { field: "papers' mode", .. }));
 }
+
+/// Places near a wall whose corners are far away are rounded as those corners are.
+#[test]
+fn an_overlap_of_no_more_than_the_rounding_of_far_corners_is_let_through() {
+    let at = |y: f64| {
+        let floor = Facet::new([[-1.0e6, 0.0], [1.0e6, 0.0]], Surface::Hard(0.9));
+        started(vec![floor], Grain::with_mass(1.0, 1.0).at([0.0, y]))
+    };
+    assert_eq!(at(1.0 - 1.0e-10), Ok(()));
+    assert!(matches!(at(1.0 - 1.0e-7), Err(Error::Overlap { grain: 0, .. })));
+}
