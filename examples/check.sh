@@ -93,7 +93,7 @@ unpack_oldest() { # folder
   mv "$1.new" "$1"
 }
 
-# The host's replay by the oldest toolchain, with the packages that scenes/Cargo.lock names.
+# The host's replay by the oldest toolchain, not optimised, with the packages that scenes/Cargo.lock names.
 replay_by_oldest() { # file of digests
   local cargo=(cargo "+$oldest") root=$out/rust-$oldest
   (
@@ -104,7 +104,7 @@ replay_by_oldest() { # file of digests
       export RUSTC=$root/usr/bin/rustc LD_LIBRARY_PATH=$root/usr/lib/x86_64-linux-gnu
     fi
     say "building the replay with Rust $oldest ($SECONDS s)"
-    "${cargo[@]}" run --quiet --release --locked --manifest-path scenes/Cargo.toml --example replay -- $events >"$1"
+    "${cargo[@]}" run --quiet --locked --manifest-path scenes/Cargo.toml --example replay -- $events >"$1"
   )
 }
 
@@ -177,15 +177,11 @@ limit() { # target what value limit budget
 }
 share() { if [[ $1 == null || ${2/null/0} == 0 ]]; then echo null; else echo $(($1 / $2)); fi; }
 
-for profile in release dev; do
-  say "the host's replay, $profile ($SECONDS s)"
-  cargo build --quiet --profile $profile --manifest-path scenes/Cargo.toml --example replay --locked
-  host=$CARGO_TARGET_DIR/${profile/dev/debug}/examples/replay
-  "$host" $events >"$work/host.$profile"
-  row "x86_64-${profile/dev/debug}" \
-    "$(compare "x86_64 $profile" "$work/host.$profile" "$host")" null null null null null null null
-done
+say "the host's replay ($SECONDS s)"
+cargo build --quiet --release --manifest-path scenes/Cargo.toml --example replay --locked
 host=$CARGO_TARGET_DIR/release/examples/replay
+"$host" $events >"$work/host"
+row x86_64-release "$(compare "x86_64" "$work/host" "$host")" null null null null null null null
 
 # Runs what has been built for a board; writes its row, and fails where something is wrong.
 run() { # target table-of-the-tilt-box
@@ -305,7 +301,7 @@ $built && web test.sh --built || true
 firmware/frames.sh "$CARGO_TARGET_DIR" >&2
 
 rows=()
-for target in x86_64-release x86_64-debug "x86_64-rust-$oldest" thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32; do
+for target in x86_64-release "x86_64-rust-$oldest" thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32; do
   rows+=("$(cat "$work/row.$target" 2>/dev/null || echo "$target false null null null null null null null")")
 done
 field() { awk -v target="$1" -v n="$2" '$1 == target { print $n }' <(printf '%s\n' "${rows[@]}"); }

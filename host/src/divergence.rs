@@ -4,9 +4,10 @@
 //! by about the mean free path over the grain's size in the next. So the error after the first
 //! collision is the method's own, and its growth with the collision number is the gas's.
 
+use crate::any_rule::{SmoothRule, smooth};
 use crate::integrated::Integrated;
 use carom::HeapMemory;
-use carom::law::{Central, IntegratedMode, Outside, PaperMode, Rule, Soft, Viscoelastic};
+use carom::law::{Central, IntegratedMode, Outside, PaperMode, Soft, Viscoelastic};
 use carom::{Error, Grain, World};
 use carom_reference::{
     self, Boundary, End, EventKind, Exact, ForceLaw, Partner, ReferenceError, System,
@@ -228,15 +229,15 @@ fn compare(
     let soft = Soft::viscoelastic(LAW, Outside::HardSphere);
     let integrated = Integrated::new(LAW);
     match variant {
-        Variant::Clusters => errors(IntegratedMode(integrated), grains, samples),
-        Variant::Integrated => errors(PaperMode(integrated), grains, samples),
-        Variant::Table => errors(PaperMode(soft), grains, samples),
-        Variant::HardSphere => errors(PaperMode(Central(integrated)), grains, samples),
+        Variant::Clusters => errors(smooth(IntegratedMode(integrated)), grains, samples),
+        Variant::Integrated => errors(smooth(PaperMode(integrated)), grains, samples),
+        Variant::Table => errors(smooth(PaperMode(soft)), grains, samples),
+        Variant::HardSphere => errors(smooth(PaperMode(Central(integrated))), grains, samples),
     }
 }
 
 fn errors(
-    rule: impl Rule<f64>,
+    rule: SmoothRule<'_>,
     grains: &[Grain<f64, 3>],
     samples: &[Sample],
 ) -> Result<Vec<f64>, Error> {

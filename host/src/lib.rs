@@ -5,6 +5,7 @@
 //! reached from here, which is how the tests reach it. With `default-features = false` it is the
 //! library alone, without command line, progress bars, figures and heaps.
 
+pub mod any_rule;
 #[cfg(feature = "figures")]
 pub mod bench;
 #[cfg(feature = "cli")]

@@ -263,7 +263,7 @@ fn work_is_stress_times_shear_rate() {
 /// density 0.5, N = 1372, shear rate 1, from the FCC lattice; 0.5 million events to come to the steady state, then a
 /// million: the mean free time is 0.113195634 within 1 %.
 #[test]
-#[ignore = "minutes without optimisation; .ci/run has it"]
+#[ignore = "minutes without optimisation; .ci/long has it"]
 fn the_mean_free_time_of_a_sheared_gas_is_dynamos() {
     let (n, side) = (1372, (1372.0_f64 / 0.5).cbrt());
     let edge = side / 7.0;

@@ -7,7 +7,7 @@ use carom::world::WithObstacles;
 use carom::{Error, Grain, Memory, Scalar, Storage, World};
 
 use crate::heap::STEPS;
-use crate::scene::{GRAVITY, Number, grain, n, v};
+use crate::scene::{AnyWorld, GRAVITY, Number, grain, n, v};
 use crate::tilt::{self, Board};
 
 /// The glass: 18 mm wide, 48 mm high, with an opening of 4 mm in the middle.
@@ -46,14 +46,11 @@ pub fn roofed<S: Scalar>() -> Hourglass16<S> {
 ///
 /// # Errors
 /// None unless the memory is too small.
-pub fn hourglass16<S: Number>(
-    memory: &mut impl Storage<S, 2>,
-) -> Result<World<'_, S, 2, IntegratedMode<HardSphere<S>>>, Error> {
-    World::builder(memory)
-        .gravity(v([0.0, -GRAVITY]))
-        .rule(IntegratedMode(HardSphere { restitution: n(0.5) }))
-        .grains((0..16).map(sand))?
-        .start()
+pub fn hourglass16<'m, S: Number>(
+    memory: &'m mut impl Storage<S, 2>,
+    rule: &'m dyn Rule<S>,
+) -> Result<AnyWorld<'m, S, 2>, Error> {
+    World::builder(memory).gravity(v([0.0, -GRAVITY])).rule(rule).grains((0..16).map(sand))?.start()
 }
 
 /// One of the sixteen.

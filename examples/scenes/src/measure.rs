@@ -4,7 +4,7 @@ use carom::law::Rule;
 use carom::law::embedded::read::{Groups, Table};
 use carom::{Error, Grain, Scalar, Storage, World};
 
-use crate::scene::{Number, gas_in, n};
+use crate::scene::{Number, elastic, gas32, n};
 use crate::tilt::{self, BETWEEN_READINGS, Board, GRAINS, READINGS, tilt_box, tilt_box_begun};
 use crate::time_stepped::TimeStepped;
 
@@ -81,7 +81,7 @@ fn run<S: Number>(
 #[inline(never)]
 pub fn gas<S: Number>(side: u32, board: &mut impl Board) -> Result<Cost, Error> {
     let mut memory = carom::Memory::<S, 3, 32, 0, 0, 128>::default();
-    thousand(&mut gas_in(&mut memory, side)?, board)
+    thousand(&mut gas32(&mut memory, elastic(), side)?, board)
 }
 
 /// The beads of the tilt box without weight: a gas in two dimensions and four walls, of which they fill a seventh.

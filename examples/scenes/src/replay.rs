@@ -68,7 +68,8 @@ pub fn fig6<S: Number>(
     report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 2>::new();
-    run(&mut scene::fig6(&mut memory)?, selection, report)
+    let rule = scene::spring::<S>();
+    run(&mut scene::fig6(&mut memory, &rule)?, selection, report)
 }
 
 /// Runs [`Scene::Box16`] and reports the digests.
@@ -80,7 +81,8 @@ pub fn box16<S: Number>(
     report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 16>::new();
-    turning(&mut scene::box16(&mut memory)?, selection, report)
+    let rule = scene::paper_rubber::<S>();
+    turning(&mut scene::box16(&mut memory, &rule)?, selection, report)
 }
 
 /// Runs [`Scene::Gas32`] and reports the digests.
@@ -92,7 +94,8 @@ pub fn gas32<S: Number>(
     report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
     let mut memory = Memory::<S, 3, 32>::new();
-    run(&mut scene::gas32(&mut memory)?, selection, report)
+    let rule: &dyn Rule<S> = &scene::elastic::<S>();
+    run(&mut scene::gas32(&mut memory, rule, 16)?, selection, report)
 }
 
 /// Runs [`Scene::Column10`] and reports the digests.
@@ -104,7 +107,8 @@ pub fn column10<S: Number>(
     report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
     let mut memory = Memory::<S, 1, 10>::new();
-    run(&mut scene::column10(&mut memory)?, selection, report)
+    let rule = scene::bead::<S>();
+    run(&mut scene::column10(&mut memory, &rule)?, selection, report)
 }
 
 /// Runs [`Scene::Heap16`] and reports the digests.
@@ -116,7 +120,8 @@ pub fn heap16<S: Number>(
     report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 16>::new();
-    turning(&mut scene::heap16(&mut memory)?, selection, report)
+    let rule = scene::heaped_rubber::<S>();
+    turning(&mut scene::box16(&mut memory, &rule)?, selection, report)
 }
 
 /// Runs [`Scene::Hard16`] and reports the digests.
@@ -128,7 +133,8 @@ pub fn hard16<S: Number>(
     report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
     let mut memory = Memory::<S, 2, 16>::new();
-    turning(&mut scene::hard16(&mut memory)?, selection, report)
+    let rule = scene::hard::<S>();
+    turning(&mut scene::box16(&mut memory, &rule)?, selection, report)
 }
 
 /// Runs [`Scene::Rough16`] and reports the digests.
@@ -140,7 +146,8 @@ pub fn rough16<S: Number>(
     report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
     let mut memory = scene::rough_box::<S>();
-    turning(&mut scene::rough16(&mut memory)?, selection, report)
+    let rule = scene::rough::<S>();
+    turning(&mut scene::box16(&mut memory, &rule)?, selection, report)
 }
 
 /// Runs [`Scene::Hourglass16`] and reports the digests.
@@ -152,7 +159,8 @@ pub fn hourglass16<S: Number>(
     report: &mut dyn FnMut(EventDigest),
 ) -> Result<(), Error> {
     let mut memory = hourglass::roofed::<S>();
-    turning(&mut hourglass::hourglass16(&mut memory)?, selection, report)
+    let rule = scene::hard::<S>();
+    turning(&mut hourglass::hourglass16(&mut memory, &rule)?, selection, report)
 }
 
 /// Steps through all events.

@@ -132,52 +132,50 @@ pub(crate) fn rubber<S: Number>(table: &'static Table<S::Stored>) -> Rubber<S> {
     Soft::with_table(law, table, Outside::HardSphere)
 }
 
-/// MP13 §VI.A: k = 2 kN/m, R = 0.1 m, ρ = 1140 kg/m³, elastic; here in a periodic box of one metre.
+/// A world whose rule is asked by a pointer. The engine is compiled once for all of these, not for each rule anew.
+pub type AnyWorld<'m, S, const D: usize> = World<'m, S, D, &'m dyn Rule<S>>;
+
+/// The rule of [`Scene::Fig6`]: k = 2 kN/m, elastic (MP13 §VI.A).
+#[must_use]
+pub fn spring<S: Number>() -> Dashpot<S, f32> {
+    let law = LinearDashpot { stiffness: n(2000.0), damping: n(0.0) };
+    Soft::with_table(law, &wide::LINEAR_DASHPOT, Outside::Clamp)
+}
+
+/// MP13 §VI.A: R = 0.1 m, ρ = 1140 kg/m³; here in a periodic box of one metre.
 ///
 /// # Errors
 /// None unless the memory is too small.
-pub fn fig6<S: Number>(
-    memory: &mut impl Storage<S, 2>,
-) -> Result<World<'_, S, 2, Dashpot<S, f32>>, Error> {
-    let law = LinearDashpot { stiffness: n(2000.0), damping: n(0.0) };
+pub fn fig6<'m, S: Number>(
+    memory: &'m mut impl Storage<S, 2>,
+    rule: &'m dyn Rule<S>,
+) -> Result<AnyWorld<'m, S, 2>, Error> {
     let pair = |at, moving| Grain::with_mass(n(0.1), n(4.775_220_8)).at(v(at)).moving(v(moving));
     World::builder(memory)
         .enduring(Enduring::Paper)
         .periodic([v([-0.5, 0.5]); 2])
-        .rule(Soft::with_table(law, &wide::LINEAR_DASHPOT, Outside::Clamp))
+        .rule(rule)
         .grain(pair([0.0175, -0.120_393_92], [1.25, 2.5]))?
         .grain(pair([-0.0425, 0.120_393_92], [1.25, -2.5]))?
         .start()
 }
 
-/// Sixteen grains of 0.7 to 1.3 mm in a box of 12 mm, whose contacts end each other as in MP13.
-///
-/// # Errors
-/// None unless the memory is too small.
-pub fn box16<S: Number>(
-    memory: &mut impl Storage<S, 2>,
-) -> Result<World<'_, S, 2, PaperMode<Rubber<S>>>, Error> {
-    boxed(memory, PaperMode(rubber(S::standard())))
+/// The rule of [`Scene::Box16`]: contacts end each other as in MP13.
+#[must_use]
+pub fn paper_rubber<S: Number>() -> PaperMode<Rubber<S>> {
+    PaperMode(rubber(S::standard()))
 }
 
-/// The same by the default mode.
-///
-/// # Errors
-/// None unless the memory is too small.
-pub fn heap16<S: Number>(
-    memory: &mut impl Storage<S, 2>,
-) -> Result<World<'_, S, 2, IntegratedMode<Rubber<S>>>, Error> {
-    boxed(memory, IntegratedMode(rubber(S::standard())))
+/// The rule of [`Scene::Heap16`]: the same by the default mode.
+#[must_use]
+pub fn heaped_rubber<S: Number>() -> IntegratedMode<Rubber<S>> {
+    IntegratedMode(rubber(S::standard()))
 }
 
-/// The same of hard grains.
-///
-/// # Errors
-/// None unless the memory is too small.
-pub fn hard16<S: Number>(
-    memory: &mut impl Storage<S, 2>,
-) -> Result<World<'_, S, 2, IntegratedMode<HardSphere<S>>>, Error> {
-    boxed(memory, IntegratedMode(HardSphere { restitution: n(0.5) }))
+/// The rule of [`Scene::Hard16`] and [`Scene::Hourglass16`].
+#[must_use]
+pub fn hard<S: Scalar>() -> IntegratedMode<HardSphere<S>> {
+    IntegratedMode(HardSphere { restitution: n(0.5) })
 }
 
 /// Hard spheres with rough surfaces.
@@ -193,15 +191,11 @@ pub fn rough_box<S: Scalar>() -> RoughBox<S> {
     Rotating::new(memory, [[S::zero(); 16]; 3])
 }
 
-/// The same of rough grains.
-///
-/// # Errors
-/// None unless the memory is too small.
-pub fn rough16<S: Number>(
-    memory: &mut impl Storage<S, 2>,
-) -> Result<World<'_, S, 2, Rough16<S>>, Error> {
+/// The rule of [`Scene::Rough16`].
+#[must_use]
+pub fn rough<S: Scalar>() -> Rough16<S> {
     let tangential = Tangential::Walton { mu: n(0.5), beta_0: n(0.3) };
-    boxed(memory, IntegratedMode(Rough::spheres(HardSphere { restitution: n(0.5) }, tangential)))
+    IntegratedMode(Rough::spheres(HardSphere { restitution: n(0.5) }, tangential))
 }
 
 /// One of sixteen grains of 0.7 to 1.3 mm, on a lattice in a box of 12 mm.
@@ -211,11 +205,14 @@ pub(crate) fn sixteen<S: Scalar>(k: u32) -> Grain<S, 2> {
     grain(0.7 + 0.04 * odd, at, [0.02 * (odd - 7.5), 0.03 * (column - row)])
 }
 
-/// Sixteen grains in a box.
-fn boxed<S: Number, R: Rule<S>>(
-    memory: &mut impl Storage<S, 2>,
-    rule: R,
-) -> Result<World<'_, S, 2, R>, Error> {
+/// Sixteen grains of 0.7 to 1.3 mm in a box of 12 mm.
+///
+/// # Errors
+/// None unless the memory is too small.
+pub fn box16<'m, S: Number>(
+    memory: &'m mut impl Storage<S, 2>,
+    rule: &'m dyn Rule<S>,
+) -> Result<AnyWorld<'m, S, 2>, Error> {
     World::builder(memory)
         .walls([v([0.0, 12.0]); 2])
         .gravity(v([0.0, -GRAVITY]))
@@ -238,26 +235,24 @@ pub fn turned<S: Scalar>(quarters: u32) -> [S; 2] {
     })
 }
 
-/// 32 equal spheres of 1 mm at the sites of a cubic lattice in a periodic box of 16 mm.
-///
-/// # Errors
-/// None unless the memory is too small.
-pub fn gas32<S: Number>(
-    memory: &mut impl Storage<S, 3>,
-) -> Result<World<'_, S, 3, Rubber<S>>, Error> {
-    gas_in(memory, 16)
+/// Elastic rubber: what the gases are of.
+#[must_use]
+pub fn elastic<S: Number>() -> Rubber<S> {
+    let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.0) };
+    Soft::with_table(law, S::standard(), Outside::HardSphere)
 }
 
-/// The same in a periodic box of so many millimetres, of which they fill 134/side³: at 24 mm a hundredth.
+/// 32 equal spheres of 1 mm at the sites of a cubic lattice in a periodic box of so many millimetres, of which they fill
+/// 134/side³: at 24 mm a hundredth.
 ///
 /// # Errors
 /// None unless the memory is too small.
 #[inline(never)]
-pub fn gas_in<S: Number>(
+pub fn gas32<S: Number, R: Rule<S>>(
     memory: &mut impl Storage<S, 3>,
+    rule: R,
     side: u32,
-) -> Result<World<'_, S, 3, Rubber<S>>, Error> {
-    let law = Viscoelastic { young: n(477.5), poisson: n(0.4), dissipation: n(0.0) };
+) -> Result<World<'_, S, 3, R>, Error> {
     let part = f64::from(side) / 8.0;
     let site = |k: u32| {
         let at = [k % 4, k / 4 % 4, k / 16].map(|i| part * (1.0 + 2.0 * f64::from(i)));
@@ -266,9 +261,16 @@ pub fn gas_in<S: Number>(
     World::builder(memory)
         .enduring(Enduring::Paper)
         .periodic([[n(0.0), S::from_count(side)]; 3])
-        .rule(Soft::with_table(law, S::standard(), Outside::HardSphere))
+        .rule(rule)
         .grains((0..32).map(site))?
         .start()
+}
+
+/// The rule of [`Scene::Column10`].
+#[must_use]
+pub fn bead<S: Number>() -> Dashpot<S, S::Stored> {
+    let law = LinearDashpot { stiffness: n(1000.0), damping: n(1.5) };
+    Soft::with_table(law, S::standard_dashpot(), Outside::HardSphere)
 }
 
 /// Ten beads of 1 mm on a plate of amplitude 1 mm at 25 Hz: 2.5 times gravity.
@@ -276,17 +278,17 @@ pub fn gas_in<S: Number>(
 /// # Errors
 /// None unless the memory is too small.
 #[cfg(feature = "plates")]
-pub fn column10<S: Number>(
-    memory: &mut impl Storage<S, 1>,
-) -> Result<World<'_, S, 1, Dashpot<S, S::Stored>>, Error> {
-    let law = LinearDashpot { stiffness: n(1000.0), damping: n(1.5) };
+pub fn column10<'m, S: Number>(
+    memory: &'m mut impl Storage<S, 1>,
+    rule: &'m dyn Rule<S>,
+) -> Result<AnyWorld<'m, S, 1>, Error> {
     let plate = Plane::new(v([1.0]), n(0.0), Surface::Rule);
     let bead = |k: u32| grain(1.0, [1.5 + 2.25 * f64::from(k)], [0.0]);
     World::builder(memory)
         .enduring(Enduring::Paper)
         .plane(plate.vibrating(Vibration::new(n(1.0), n(0.025))))
         .gravity(v([-GRAVITY]))
-        .rule(Soft::with_table(law, S::standard_dashpot(), Outside::HardSphere))
+        .rule(rule)
         .grains((0..10).map(bead))?
         .start()
 }

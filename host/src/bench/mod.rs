@@ -10,7 +10,7 @@ mod start;
 pub use case::{ALL, Case, Contact, named};
 
 use crate::machine::borrowed;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use carom::HeapMemory;
 use carom::World;
 use carom::law::{Central, HardSphere, Outside, Rule, Soft, Viscoelastic};
@@ -66,21 +66,27 @@ pub fn measure(case: &Case) -> Result<Row> {
 /// As [`measure`].
 pub fn measure_with(case: &Case, effort: Effort) -> Result<Row> {
     match case.dimension {
-        1 => with_rule::<1>(case, effort),
-        2 => with_rule::<2>(case, effort),
-        _ => with_rule::<3>(case, effort),
+        1 => hard::<1>(case, effort),
+        2 => hard::<2>(case, effort),
+        _ => match case.contact {
+            Contact::Hard { .. } => hard::<3>(case, effort),
+            Contact::Viscoelastic { star, .. } => soft(case, star, effort),
+        },
     }
     .context(case.name)
 }
 
-fn with_rule<const D: usize>(case: &Case, effort: Effort) -> Result<Row> {
+fn hard<const D: usize>(case: &Case, effort: Effort) -> Result<Row> {
+    let Contact::Hard { restitution, .. } = case.contact else {
+        bail!("soft grains are timed in three dimensions only");
+    };
+    run::<D>(case, HardSphere { restitution }, effort)
+}
+
+fn soft(case: &Case, star: bool, effort: Effort) -> Result<Row> {
     let rubber = Viscoelastic { young: 1.0e9, poisson: 0.4, dissipation: 0.0 };
     let soft = Soft::viscoelastic(rubber, Outside::HardSphere);
-    match case.contact {
-        Contact::Hard { restitution, .. } => run::<D>(case, HardSphere { restitution }, effort),
-        Contact::Viscoelastic { star: true, .. } => run::<D>(case, soft, effort),
-        Contact::Viscoelastic { star: false, .. } => run::<D>(case, Central(soft), effort),
-    }
+    if star { run::<3>(case, soft, effort) } else { run::<3>(case, Central(soft), effort) }
 }
 
 fn run<const D: usize>(case: &Case, rule: impl Rule<f64>, effort: Effort) -> Result<Row> {

@@ -7,6 +7,7 @@ use super::data::{Figure, Made, Note, Options, Series};
 use super::draw::{self, Kind, Mark, PlotStyle, Scale};
 use super::fit;
 use super::number::significant;
+use crate::any_rule::smooth;
 use crate::integrated::Integrated;
 use crate::plot::Scene;
 use crate::progress::Progress;
@@ -95,7 +96,7 @@ impl Heap {
             .plane(Plane::new([-1.0, 0.0], -self.width(), Surface::Rule))
             .plane(Plane::new([0.0, 1.0], 0.0, Surface::Rule))
             .gravity([0.0, -GRAVITY])
-            .rule(Integrated::new(law))
+            .rule(smooth(Integrated::new(law)))
             .grains(starts.iter().map(disk))?
             .start()?;
         let mut course = Course::default();

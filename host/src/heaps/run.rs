@@ -72,19 +72,22 @@ pub fn run(seed: u64, most: usize, number: Number) -> (Drawn, Report) {
 
 fn in_dimension<S: Scalar>(drawn: &Drawn) -> Report
 where
-    Standard: TableSet<S>,
+    Standard: TableSet<S, Stored: Send + Sync>,
 {
     let rule = rule::<S>(drawn.law);
     match drawn.dimension {
-        1 => of_box::<S, 1>(drawn, &*rule),
-        2 => of_box::<S, 2>(drawn, &*rule),
-        _ => of_box::<S, 3>(drawn, &*rule),
+        1 => of_box::<S, 1>(drawn, rule),
+        2 => of_box::<S, 2>(drawn, rule),
+        _ => of_box::<S, 3>(drawn, rule),
     }
 }
 
-fn rule<S: Scalar>(law: LawKind) -> Box<dyn Rule<S>>
+/// A rule of any kind: in f64 it is [`AnyRule`](crate::any_rule::AnyRule), whose worlds are compiled already.
+type AnyRule<S> = Box<dyn Rule<S> + Send + Sync>;
+
+fn rule<S: Scalar>(law: LawKind) -> AnyRule<S>
 where
-    Standard: TableSet<S>,
+    Standard: TableSet<S, Stored: Send + Sync>,
 {
     let s = S::from_f64;
     match law {
@@ -101,7 +104,7 @@ where
     }
 }
 
-fn of_box<S: Scalar, const D: usize>(drawn: &Drawn, rule: &dyn Rule<S>) -> Report {
+fn of_box<S: Scalar, const D: usize>(drawn: &Drawn, rule: AnyRule<S>) -> Report {
     let begin = std::time::Instant::now();
     let mut memory = HeapMemory::<S, D>::with_capacity(drawn.count());
     let mut report = match world(&mut memory, drawn, rule) {
@@ -122,8 +125,8 @@ fn of_box<S: Scalar, const D: usize>(drawn: &Drawn, rule: &dyn Rule<S>) -> Repor
 fn world<'m, S: Scalar, const D: usize>(
     memory: &'m mut HeapMemory<S, D>,
     drawn: &Drawn,
-    rule: &'m dyn Rule<S>,
-) -> Result<World<'m, S, D, &'m dyn Rule<S>>, carom::Error> {
+    rule: AnyRule<S>,
+) -> Result<World<'m, S, D, AnyRule<S>>, carom::Error> {
     let vector = |v: &[f64; 3]| std::array::from_fn(|axis| S::from_f64(v[axis]));
     let surface = match drawn.hard_walls {
         Some(restitution) => Surface::Hard(S::from_f64(restitution)),
@@ -158,7 +161,7 @@ fn down<S: Scalar, const D: usize>(drawn: &Drawn) -> [S; D] {
 
 struct Run<'a, 'm, S: Scalar, const D: usize> {
     drawn: &'a Drawn,
-    world: World<'m, S, D, &'m dyn Rule<S>>,
+    world: World<'m, S, D, AnyRule<S>>,
     watch: Watch,
 }
 

@@ -1,6 +1,7 @@
 //! What does the engine make of an impact? Reads a case; steps a world of two grains until they part.
 
 use super::case::{Case, Law, Surfaces};
+use crate::any_rule::AnyRule;
 use crate::scale::Contact;
 use anyhow::{Result, bail};
 use carom::law::{
@@ -49,7 +50,7 @@ pub fn by_engine(case: &Case, surfaces: Option<&Surfaces>, steps: u32) -> Result
 }
 
 /// A law of its own, with what holds.
-fn held<L: ContactLaw<f64>>(
+fn held<L: ContactLaw<f64> + Send + Sync>(
     case: &Case,
     law: L,
     surfaces: (Option<&Surfaces>, u32),
@@ -58,20 +59,20 @@ fn held<L: ContactLaw<f64>>(
 }
 
 /// A rule, with friction if there is any; then all contacts that last are integrated.
-fn rubbed<R: Rule<f64>>(
+fn rubbed(
     case: &Case,
-    normal: R,
+    normal: impl Rule<f64> + Send + Sync,
     (surfaces, steps): (Option<&Surfaces>, u32),
 ) -> Result<Option<Answer>> {
     match surfaces {
-        None => meet(case, normal, steps),
+        None => meet(case, Box::new(normal), steps),
         Some(&Surfaces { tangential, inertia }) => {
-            meet(case, Rough { normal, tangential, inertia, eta_max: 0.0 }, steps)
+            meet(case, Box::new(Rough { normal, tangential, inertia, eta_max: 0.0 }), steps)
         }
     }
 }
 
-fn meet<R: Rule<f64>>(case: &Case, rule: R, steps: u32) -> Result<Option<Answer>> {
+fn meet(case: &Case, rule: AnyRule<'_>, steps: u32) -> Result<Option<Answer>> {
     let memory = WithContacts::new(Memory::<f64, 2, 2>::new(), [ContactState::VACANT; 2]);
     let mut memory = Rotating::new(memory, [case.spins, [0.0; 2], [0.0; 2]]);
     let is_rough = rule.inertia().is_some();
@@ -108,8 +109,8 @@ fn meet<R: Rule<f64>>(case: &Case, rule: R, steps: u32) -> Result<Option<Answer>
 }
 
 /// How far and how fast the first is from the second.
-fn relative<R: Rule<f64>>(
-    world: &World<'_, f64, 2, R>,
+fn relative(
+    world: &World<'_, f64, 2, AnyRule<'_>>,
 ) -> (carom::Vector<f64, 2>, carom::Vector<f64, 2>) {
     let [a, b] = [0, 1].map(|k| world.grain(k).map(|grain| (grain.position, grain.velocity)));
     let nothing = Default::default();

@@ -5,9 +5,10 @@ use super::force_based::ForceBased;
 use super::interface::Method;
 use super::l94::{Hard, L94};
 use super::obstacles::{Obstacles, surface};
-use super::running::{AnyRule, Borrower, Running};
-use super::spins::{Smooth, Spins};
+use super::running::{Borrower, Running};
+use super::spins::Spins;
 use super::told::told;
+use crate::any_rule::{AnyRule, smooth};
 use crate::drive::Driving;
 use crate::integrated::Integrated;
 use crate::observe::Layout;
@@ -128,10 +129,10 @@ fn begin_in<const D: usize>(
             Running::on(memory, rules, |memory, rules| {
                 let rule = PairRules::new(rules).context("a rule for each pair of materials")?;
                 if start.laws.has_friction() {
-                    return world(memory, rule, name, scenario, start, state);
+                    let rough: AnyRule<'_> = Box::new(rule);
+                    return world(memory, rough, name, scenario, start, state);
                 }
-                // The compiler knows that nothing rotates.
-                world(memory, Smooth(rule), name, scenario, start, state)
+                world(memory, smooth(rule), name, scenario, start, state)
             })
         }
     }
@@ -293,7 +294,7 @@ fn first<const D: usize>(numbers: &[f64; 3]) -> [f64; D] {
 ///
 /// # Errors
 /// When no two materials have a law, or one has no such rule.
-pub fn rules(name: MethodName, scenario: &Scenario, laws: &Laws) -> Result<Vec<AnyRule>> {
+pub fn rules(name: MethodName, scenario: &Scenario, laws: &Laws) -> Result<Vec<AnyRule<'static>>> {
     let all = || laws.pairs().flatten();
     let some = all().next().context("there is no law")?;
     if name == MethodName::EmdStar && !all().any(|law| law.has_force()) {
@@ -307,13 +308,13 @@ pub fn rules(name: MethodName, scenario: &Scenario, laws: &Laws) -> Result<Vec<A
     let inertia = scenario.inertia.unwrap_or(0.4);
     let rough = |(law, friction): (Option<LawSpec>, Option<FrictionSpec>)| {
         let tangential = friction.map_or(smooth, Into::into);
-        Box::new(Rough { inertia, ..Rough::spheres(of(law), tangential) }) as AnyRule
+        Box::new(Rough { inertia, ..Rough::spheres(of(law), tangential) }) as AnyRule<'static>
     };
     Ok(laws.pairs().zip(laws.frictions()).map(rough).collect())
 }
 
 /// The collision rule of an event-driven method.
-fn rule(name: MethodName, scenario: &Scenario, law: LawSpec) -> AnyRule {
+fn rule(name: MethodName, scenario: &Scenario, law: LawSpec) -> AnyRule<'static> {
     match law {
         LawSpec::Constant { restitution } => Box::new(HardSphere { restitution }),
         LawSpec::Lsd { stiffness, damping } => {
@@ -347,7 +348,7 @@ fn rule(name: MethodName, scenario: &Scenario, law: LawSpec) -> AnyRule {
 }
 
 /// eMD takes only the central restitution of the rule, eMD* all of it.
-fn by_method(name: MethodName, rule: impl Rule<f64> + Send + Sync + 'static) -> AnyRule {
+fn by_method(name: MethodName, rule: impl Rule<f64> + Send + Sync + 'static) -> AnyRule<'static> {
     match name {
         MethodName::Emd => Box::new(Central(rule)),
         _ => Box::new(rule),

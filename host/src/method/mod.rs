@@ -14,4 +14,4 @@ pub use event_driven::EventDriven;
 pub use force_based::ForceBased;
 pub use from_scenario::{begin, force_law, rules, with, with_state};
 pub use interface::{LoggedEvent, Method};
-pub use running::{AnyRule, Running};
+pub use running::Running;

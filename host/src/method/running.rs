@@ -1,14 +1,11 @@
 //! Who owns what a method works with? Keeps a method beside the memory and the rules that it borrows; reads and writes nothing itself.
 
 use super::interface::Method;
+use crate::any_rule::AnyRule;
 use anyhow::{Context, Result};
-use carom::law::Rule;
 use self_cell::{MutBorrow, self_cell};
 use std::any::Any;
 use std::fmt;
-
-/// A rule of a kind that is known when the program runs only.
-pub type AnyRule = Box<dyn Rule<f64> + Send + Sync>;
 
 /// A method that borrows.
 pub(super) type Borrower<'a> = Box<dyn Method + Send + 'a>;
@@ -16,7 +13,7 @@ pub(super) type Borrower<'a> = Box<dyn Method + Send + 'a>;
 /// What it borrows: memory for a world of some dimension, and rules.
 struct Ground {
     memory: MutBorrow<Box<dyn Any + Send>>,
-    rules: Vec<AnyRule>,
+    rules: Vec<AnyRule<'static>>,
 }
 
 self_cell!(
@@ -45,8 +42,8 @@ impl Running {
     /// Those of `begin`.
     pub(super) fn on<M: Send + 'static>(
         memory: M,
-        rules: Vec<AnyRule>,
-        begin: impl for<'a> FnOnce(&'a mut M, &'a [AnyRule]) -> Result<Borrower<'a>>,
+        rules: Vec<AnyRule<'static>>,
+        begin: impl for<'a> FnOnce(&'a mut M, &'a [AnyRule<'static>]) -> Result<Borrower<'a>>,
     ) -> Result<Self> {
         let ground = Ground { memory: MutBorrow::new(Box::new(memory)), rules };
         let pair = Pair::try_new(ground, |ground| {

@@ -1,8 +1,6 @@
-//! Where are rotations kept, and what has none? Reads a start; writes memory that worlds borrow.
+//! Where are rotations kept? Reads a start; writes memory that worlds borrow.
 
 use crate::scenario::Start;
-use carom::Error;
-use carom::law::{Answer, ContactForce, Enduring, Impact, Rule};
 use carom::space::ContactState;
 use carom::world::RotationBuffers;
 
@@ -34,38 +32,5 @@ impl Spins {
         let [velocities, accelerations, sums] = self.rows.each_mut().map(|row| &mut row[..]);
         accelerations.fill(0.0);
         (RotationBuffers { velocities, accelerations, sums }, &mut self.contacts)
-    }
-}
-
-/// A rule whose grains are smooth, so that the compiler leaves out what rotation needs.
-pub struct Smooth<R>(pub R);
-
-impl<R: Rule<f64>> Rule<f64> for Smooth<R> {
-    fn collide(&self, impact: &Impact<f64>) -> Answer<f64> {
-        self.0.collide(impact)
-    }
-    fn enduring(&self) -> Option<Enduring> {
-        self.0.enduring()
-    }
-    fn adds_energy(&self) -> bool {
-        self.0.adds_energy()
-    }
-    fn check(&self) -> Result<(), Error> {
-        self.0.check()
-    }
-    fn force(&self, impact: &Impact<f64>, overlap: f64) -> Option<ContactForce<f64>> {
-        self.0.force(impact, overlap)
-    }
-    fn contact_time(&self, impact: &Impact<f64>, overlap: f64) -> Option<f64> {
-        self.0.contact_time(impact, overlap)
-    }
-    fn remembers(&self) -> bool {
-        self.0.remembers()
-    }
-    fn remembered_force(&self, impact: &Impact<f64>, now: [f64; 2], memory: &mut [f64; 2]) -> f64 {
-        self.0.remembered_force(impact, now, memory)
-    }
-    fn reach(&self, impact: &Impact<f64>) -> f64 {
-        self.0.reach(impact)
     }
 }

@@ -1,6 +1,7 @@
 //! What becomes of the same column event by event? Reads a column; writes velocities after the impact, by ED, by eMD* and with clusters.
 
 use super::column::{Column, Outcome};
+use crate::any_rule::smooth;
 use crate::integrated::Integrated;
 use anyhow::{Context, Result, bail};
 use carom::HeapMemory;
@@ -95,7 +96,10 @@ pub fn collide(column: &Column, law: &ForceLaw, variant: Variant) -> Result<Outc
     let surfaces = [Surface::Hard(wall), Surface::Rule];
     match variant {
         Variant::Instant => run(column, HardSphere { restitution: pair }, (surfaces[0], variant)),
-        _ => run(column, Integrated::new(law).ending(variant.end()), (surfaces[1], variant)),
+        _ => {
+            let rule = smooth(Integrated::new(law).ending(variant.end()));
+            run(column, rule, (surfaces[1], variant))
+        }
     }
 }
 
@@ -119,7 +123,7 @@ pub fn heights(
             sampled(&mut start(column, &mut storage, rule, how)?, times)
         }
         _ => {
-            let rule = Integrated::new(law).ending(variant.end());
+            let rule = smooth(Integrated::new(law).ending(variant.end()));
             sampled(&mut start(column, &mut storage, rule, (Surface::Rule, variant))?, times)
         }
     }

@@ -1,6 +1,7 @@
 //! How does a column of beads move on a vibrating plate? Reads beads, ε and the plate; writes heights, by MD, ED, eMD* and with clusters (L94 Sec. V).
 
 use super::hard;
+use crate::any_rule::smooth;
 use crate::integrated::Integrated;
 use anyhow::Result;
 use carom::HeapMemory;
@@ -132,7 +133,7 @@ impl Shaken {
     fn lasting(&self, times: &[f64], mode: Enduring) -> Result<(Vec<Vec<f64>>, Statistics)> {
         let law = hard::dashpot(&self.law()?)?;
         let mut storage = HeapMemory::<f64, 1>::with_capacity(self.beads);
-        let rule = Integrated::new(law).ending(carom_tables::read::End::Overlap);
+        let rule = smooth(Integrated::new(law).ending(carom_tables::read::End::Overlap));
         let builder = World::builder(&mut storage).enduring(mode).rule(rule);
         hard::counted(self.on(builder, Surface::Rule)?, times)
     }

@@ -3,6 +3,7 @@
 //! A drum is a polygon that turns about its centre, half full. Its disks flow down a surface that stays at a slope: then
 //! the wall's torque holds the weight, which is off to the side. That the two agree is checked.
 
+use crate::any_rule::AnyRule;
 use crate::figure::data::{Figure, Made, Note, Options, Series};
 use crate::figure::draw::{self, Kind, PlotStyle, Scale};
 use crate::plot::Scene;
@@ -99,11 +100,13 @@ impl Drum {
         let contacts = WithContacts::new(spins, vec![Default::default(); 8 * DISKS]);
         let mut memory = WithObstacles::new(contacts, facets, lists).moving(motion);
         let law = Tangential::Walton { mu: self.mu, beta_0: 0.0 };
+        let rule: AnyRule<'_> =
+            Box::new(Rough::disks(HardSphere { restitution: RESTITUTION }, law));
         let mut world = World::builder(&mut memory)
             .gravity([0.0, -1.0])
             .contact_time(CONTACT_TIME)
             .steps_per_contact(STEPS)
-            .rule(Rough::disks(HardSphere { restitution: RESTITUTION }, law))
+            .rule(rule)
             .grains(self.disks())?
             .start()?;
         let [before, turns] = self.turns;
