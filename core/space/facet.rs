@@ -2,7 +2,8 @@
 
 use super::plane::Surface;
 use super::pose::Pose;
-use crate::scalar::{Scalar, Vector, component, dot, moment, norm, unit, vector};
+use super::unit_normal::unit_normal;
+use crate::scalar::{Scalar, Vector, dot, norm, vector};
 
 /// A piece of an obstacle: a segment in two dimensions, a triangle in three; in one, a point. Grains touch it from both
 /// sides, at its face, its edges and its corners.
@@ -149,33 +150,6 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
     /// Whether all corners are numbers.
     pub(crate) fn is_finite(&self) -> bool {
         self.corners.iter().all(|corner| corner.iter().all(|x| x.in_range()))
-    }
-}
-
-/// The unit normal of what these corners span; zero if that has none.
-fn unit_normal<S: Scalar, const D: usize>(corners: &[Vector<S, D>; D]) -> Vector<S, D> {
-    let to = |k: usize| match (corners.first(), corners.get(k)) {
-        (Some(from), Some(to)) => unit(&(to - from)),
-        _ => Vector::zeros(),
-    };
-    match D {
-        1 => Vector::from_element(S::one()),
-        2 => {
-            let along = to(1);
-            let [x, y] = [0, 1].map(|axis| component(&along, axis));
-            Vector::from_fn(|axis, _| if axis == 0 { -y } else { x })
-        }
-        3 => {
-            // Of unit vectors, so that little is lost of small triangles in fixed point.
-            let [first, second] = [to(1), to(2)];
-            let across = moment(&first, &second);
-            let sine = norm(&across);
-            match sine > S::RESOLUTION * S::from_f32(1024.0) {
-                true => Vector::from_fn(|axis, _| component(&across, axis) / sine),
-                false => Vector::zeros(),
-            }
-        }
-        _ => Vector::zeros(),
     }
 }
 

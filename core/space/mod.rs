@@ -45,6 +45,7 @@ mod rigid_motion;
 mod rotation;
 mod shear;
 mod sight;
+mod unit_normal;
 #[cfg(not(feature = "alloc"))]
 mod walk;
 

@@ -26,12 +26,12 @@ done
 # Hourglass and rough tilt box (hourglass.rs, rough_box.rs): 25 ms at 100 MHz are 2,500,000 instructions.
 boxed() { awk -v what="$2" '$1 == what { v = $2 } END { print v == "" ? "null" : v }' "$CARGO_TARGET_DIR/$m4.$1"; }
 ram() { echo $(($(boxed "$1" memory) + $(boxed "$1" world))); }
-limit $m4 "flash of the hourglass" "$(flash "$image/hourglass")" 90500 90500
+limit $m4 "flash of the hourglass" "$(flash "$image/hourglass")" 91000 91000
 limit $m4 "RAM of the hourglass" "$(ram hourglass)" 7264 7264
-limit $m4 "the mean frame of the hourglass" "$(boxed hourglass free.mean)" 17400000 2500000
+limit $m4 "the mean frame of the hourglass" "$(boxed hourglass free.mean)" 16800000 2500000
 limit $m4 "the longest frame of the hourglass" "$(boxed hourglass free.frame)" 136000000 2500000
 limit $m4 "the longest frame of the hourglass that has 25 ms" "$(boxed hourglass shared.frame)" 3200000 2500000
-limit $m4 "frames of 25 ms until the hourglass has run down" "$(boxed hourglass shared.down)" 110 12
+limit $m4 "frames of 25 ms until the hourglass has run down" "$(boxed hourglass shared.down)" 70 12
 limit $m4 "flash of the rough tilt box" "$(flash "$image/rough_box")" 73700 73700
 limit $m4 "RAM of the rough tilt box" "$(ram rough_box)" 7624 7624
 limit $m4 "one event of the rough tilt box" "$(boxed rough_box free.step)" 432000 432000

@@ -72,6 +72,7 @@ fn cargo(workspace: &Path, arguments: &[&str]) -> String {
     let done = Command::new(env!("CARGO"))
         .current_dir(workspace)
         .env("CARGO_TARGET_DIR", workspace.join("target"))
+        .env_remove("RUSTC_WORKSPACE_WRAPPER")
         .args(arguments)
         .output()
         .unwrap();
