@@ -84,9 +84,9 @@ fn grains_that_fall_on_a_plate_cluster_and_are_shaken() {
         let plate = Some(Vibration::new(0.3, 0.4));
         let scene = Scene { plate, enduring, ..free::<2>(100, 12.0) };
         let soft = Soft::linear_dashpot(damped_spring(), Outside::HardSphere);
-        same(&scene, soft, [8_000, 100]);
+        same(&scene, soft, [20_000, 100]);
         if enduring == Enduring::Integrated {
-            same(&scene, HardSphere { restitution: 0.8 }, [8_000, 100]);
+            same(&scene, HardSphere { restitution: 0.8 }, [20_000, 100]);
         }
     }
 }

@@ -100,7 +100,7 @@ where
 #[test]
 fn every_snapshot_is_taken_back_and_goes_on_with_the_same_bits() {
     for enduring in [Enduring::Paper, Enduring::Integrated] {
-        for seed in 0..10 {
+        for seed in 0..25 {
             drawn::<f64, 1>(seed, enduring);
             drawn::<f32, 1>(seed, enduring);
             drawn::<f64, 2>(seed, enduring);

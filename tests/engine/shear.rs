@@ -73,19 +73,19 @@ fn same<S: Scalar, const D: usize, R: Rule<S> + Copy>(
 
 #[test]
 fn cells_and_all_pairs_give_the_same_bits() {
-    same::<f64, 3, _>(lossy(), 200, (9.0, 1.0), 5_000);
-    same::<f64, 3, _>(lossy(), 200, (9.0, -0.3), 2_000);
-    same::<f64, 2, _>(lossy(), 100, (14.0, 1.0), 5_000);
-    same::<f32, 2, _>(lossy(), 100, (14.0, 1.0), 5_000);
-    same::<I32F32, 2, _>(lossy(), 100, (14.0, 0.5), 2_000);
+    same::<f64, 3, _>(lossy(), 200, (9.0, 1.0), 20_000);
+    same::<f64, 3, _>(lossy(), 200, (9.0, -0.3), 5_000);
+    same::<f64, 2, _>(lossy(), 100, (14.0, 1.0), 20_000);
+    same::<f32, 2, _>(lossy(), 100, (14.0, 1.0), 20_000);
+    same::<I32F32, 2, _>(lossy(), 100, (14.0, 0.5), 5_000);
 }
 
 #[test]
 fn soft_grains_in_clusters_do_so_too() {
     let damped = Soft::linear_dashpot(damped_spring::<f64>(), Outside::HardSphere);
-    same::<f64, 3, _>(damped, 200, (9.0, 1.0), 2_000);
+    same::<f64, 3, _>(damped, 200, (9.0, 1.0), 5_000);
     let elastic = Soft::linear_dashpot(elastic_spring::<f32>(), Outside::HardSphere);
-    same::<f32, 2, _>(elastic, 100, (12.0, 0.5), 2_000);
+    same::<f32, 2, _>(elastic, 100, (12.0, 0.5), 5_000);
 }
 
 /// Contacts of two and clusters across a sheared face give momentum to nobody else: the peculiar momentum stays zero.
