@@ -18,7 +18,7 @@ use crate::scalar::{Scalar, Vector, dot, norm, vector};
 /// use carom::space::{Facet, Surface};
 /// let ramp = Facet::<f64, 2>::new([[0.0, 0.0], [0.04, 0.03]], Surface::Hard(0.5));
 /// let normal = ramp.normal();
-/// assert!((normal[0] + 0.6).abs() < 1e-15 && (normal[1] - 0.8).abs() < 1e-15);
+/// assert!((normal[0] + 0.6).abs() < 1e-14 && (normal[1] - 0.8).abs() < 1e-14);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facet<S: Scalar, const D: usize> {
