@@ -28,15 +28,19 @@ impl<S: Scalar, const D: usize> Predictor<'_, S, D> {
         let mut path = Path {
             state: [self.here, self.velocity, *self.domain.gravity()],
             grid: &obstacles.grid,
-            cell: obstacles.grid.locate(&self.here),
+            at: obstacles.grid.coordinates(obstacles.grid.locate(&self.here)),
             span: S::zero(),
         };
         for _ in 0..MOST_CELLS {
-            let cell = path.cell;
+            let (cell, from) = (path.grid.number(&path.at), path.span);
             let left = path.leave_cell();
             // What is met in a later cell is found there.
             let until = left.map_or(S::NEVER, |()| self.now + path.span);
-            self.facets(first, (cell, obstacles), until);
+            if obstacles.list(cell).next().is_some() {
+                let to = until.min(self.limit(first)) - self.now;
+                let around = path.around([from, to], self.me.radius);
+                self.facets(first, (cell, obstacles), (&around, until));
+            }
             left?;
             if until >= self.limit(first) {
                 return None;
@@ -45,46 +49,49 @@ impl<S: Scalar, const D: usize> Predictor<'_, S, D> {
         Some(self.now + path.span)
     }
 
-    /// The same with those that are seen from one cell, up to a time. Faces first, which a closed form finds: mostly what
-    /// comes of edges then is too late to be searched for.
+    /// The same with those that are seen from one cell, up to a time, if they are not outside the box around its way there.
+    /// Faces first, which a closed form finds: mostly what comes of edges then is too late to be searched for.
     fn facets(
         &self,
         first: &mut ScheduledEvent<S>,
         (cell, obstacles): (u32, &Obstacles<'_, S, D>),
-        until: S,
+        (around, until): (&[Vector<S, D>; 2], S),
     ) {
-        let mut edges = heapless::Vec::<usize, MOST_EDGES>::new();
-        for k in obstacles.list(cell) {
-            if self.face(first, (k, obstacles), until) {
-                if let Err(k) = edges.push(k) {
-                    self.facet(first, (k, obstacles), until);
-                }
+        let mut edges = heapless::Vec::<(usize, S), MOST_EDGES>::new();
+        let seen = obstacles.list(cell);
+        let is_near = |k: &usize| obstacles.facet(*k).is_some_and(|f| !f.is_outside(around));
+        for k in seen.filter(is_near) {
+            let Some(time) = self.face(first, (k, obstacles), until) else { continue };
+            if edges.push((k, time)).is_err() {
+                self.facet(first, (k, obstacles), until);
             }
         }
-        for k in edges {
-            self.facet(first, (k, obstacles), until);
+        for &(k, time) in &edges {
+            if !(time > self.limit(first)) {
+                self.facet(first, (k, obstacles), until);
+            }
         }
     }
 
-    /// The same with the face of one; whether its edges must be asked, too.
+    /// The same with the face of one; from when on its edges must be asked, too, if they must.
     fn face(
         &self,
         first: &mut ScheduledEvent<S>,
         (k, obstacles): (usize, &Obstacles<'_, S, D>),
         until: S,
-    ) -> bool {
-        let Some(facet) = obstacles.facet(k) else { return false };
+    ) -> Option<S> {
+        let facet = obstacles.facet(k)?;
         let limit = self.limit(first).min(until);
         let start = self.me.clock;
         match body_and_face(self.domain, self.me, (facet, limit - start)) {
-            Face::Missed => false,
+            Face::Missed => None,
             Face::Touched(span) if start == self.now || start + span > self.now => {
                 let from = self.me.uninterruptible_until();
                 self.found(first, Found::Event(start + span), from, Partner::facet(k));
-                false
+                None
             }
             // What is past was put off: as of edges, the search says what follows.
-            Face::Touched(_) | Face::PerhapsAfter(_) => true,
+            Face::Touched(span) | Face::PerhapsAfter(span) => Some(start + span),
         }
     }
 
@@ -121,21 +128,34 @@ struct Path<'a, S: Scalar, const D: usize> {
     /// Position, velocity and acceleration at its beginning.
     state: [Vector<S, D>; 3],
     grid: &'a Grid<S, D>,
-    /// Where it is after this span.
-    cell: u32,
+    /// The coordinates of the cell in which it is after this span.
+    at: [u32; D],
     span: S,
 }
 
 impl<S: Scalar, const D: usize> Path<'_, S, D> {
+    /// The box around a body of this radius on its way from one span to another.
+    fn around(&self, [from, to]: [S; 2], radius: S) -> [Vector<S, D>; 2] {
+        let [x, v, a] = self.state;
+        let at = |t: S| x + (v + a * (t * S::half())) * t;
+        let (begin, end) = (at(from), at(to));
+        let reach = radius * S::from_f32(1.0 + 1.0 / 64.0);
+        // A parabola is off its chord by no more than a t²/8.
+        let eighth = (to - from) * S::from_f32(0.125);
+        let off = a.map(|a| reach + a.abs() * eighth * (to - from));
+        // What is no number, as a time without end times zero, bounds nothing.
+        [begin.zip_map(&end, S::min) - off, begin.zip_map(&end, S::max) + off]
+    }
+
     /// It comes into the next cell; none if it stays in this one for ever.
     fn leave_cell(&mut self) -> Option<()> {
         let [x, v, a] = self.state;
-        let (t, at) = (self.span, self.grid.coordinates(self.cell));
+        let t = self.span;
         let (position, velocity) = (x + (v + a * (t * S::half())) * t, v + a * t);
         let mut first = None::<(S, CellFace)>;
         for axis in 0..D {
             let [x, v, a] = [&position, &velocity, &a].map(|v| component(v, axis));
-            let [low, high] = self.grid.faces(&at, axis, x);
+            let [low, high] = self.grid.faces(&self.at, axis, x);
             for (gap, v, a, up) in [(low, v, a, false), (high, -v, -a, true)] {
                 let Some(span) = gap.and_then(|gap| root::plane(gap, v, a)) else { continue };
                 if first.is_none_or(|(least, _)| span < least) {
@@ -144,7 +164,7 @@ impl<S: Scalar, const D: usize> Path<'_, S, D> {
             }
         }
         let (span, face) = first?;
-        (self.cell, _) = self.grid.across(self.cell, face)?;
+        self.at = self.grid.beside(&self.at, face)?;
         self.span += span;
         Some(())
     }

@@ -3,7 +3,7 @@
 use super::plane::Surface;
 use super::pose::Pose;
 use super::unit_normal::unit_normal;
-use crate::scalar::{Scalar, Vector, dot, norm, vector};
+use crate::scalar::{Scalar, Vector, component, dot, norm, vector};
 
 /// A piece of an obstacle: a segment in two dimensions, a triangle in three; in one, a point. Grains touch it from both
 /// sides, at its face, its edges and its corners.
@@ -127,6 +127,7 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
     }
 
     /// A corner; there are as many as axes.
+    #[inline(always)]
     pub(super) fn corner(&self, number: usize) -> Vector<S, D> {
         self.corners.get(number).copied().unwrap_or(Vector::zeros())
     }
@@ -136,6 +137,17 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
         let first = self.corner(0);
         self.corners.iter().fold([first; 2], |[low, high], corner| {
             [low.zip_map(corner, S::min), high.zip_map(corner, S::max)]
+        })
+    }
+
+    /// Whether it lies outside a box, beyond one of its sides.
+    #[inline]
+    pub(crate) fn is_outside(&self, [low, high]: &[Vector<S, D>; 2]) -> bool {
+        (0..D).any(|axis| {
+            let [low, high] = [component(low, axis), component(high, axis)];
+            let is_beyond = |corner: &Vector<S, D>| component(corner, axis) > high;
+            let is_below = |corner: &Vector<S, D>| component(corner, axis) < low;
+            self.corners.iter().all(is_beyond) || self.corners.iter().all(is_below)
         })
     }
 

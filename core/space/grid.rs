@@ -173,7 +173,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     }
 
     /// The number of the cell with these coordinates.
-    pub(super) fn number(&self, at: &[u32; D]) -> u32 {
+    pub(crate) fn number(&self, at: &[u32; D]) -> u32 {
         let (mut number, mut scale) = (0, 1);
         for (&c, along) in at.iter().zip(self.axes.as_slice()) {
             number += c * scale;
@@ -210,16 +210,26 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
 
     /// The cell behind a face, and by how many box lengths along the axis the position must be moved.
     pub(crate) fn across(&self, cell: u32, face: CellFace) -> Option<(u32, S)> {
-        let mut at = self.coordinates(cell);
-        let (c, along) = (at.get_mut(face.axis)?, self.axes.as_slice().get(face.axis)?);
-        let moved = along.next(*c, face.up)?;
+        let from = self.coordinates(cell);
+        let at = self.beside(&from, face)?;
+        let (c, moved) = (from.get(face.axis)?, at.get(face.axis)?);
         let turns = match (face.up, moved) {
             (true, 0) => -S::one(),
-            (false, m) if m + 1 == along.count && *c == 0 => S::one(),
+            (false, m) if *c == 0 && *m + 1 == self.axes.as_slice().get(face.axis)?.count => {
+                S::one()
+            }
             _ => S::zero(),
         };
-        *c = moved;
         Some((self.number(&at), turns))
+    }
+
+    /// The coordinates of the cell behind a face of that with these.
+    #[inline]
+    pub(crate) fn beside(&self, at: &[u32; D], face: CellFace) -> Option<[u32; D]> {
+        let mut beside = *at;
+        let (c, along) = (beside.get_mut(face.axis)?, self.axes.as_slice().get(face.axis)?);
+        *c = along.next(*c, face.up)?;
+        Some(beside)
     }
 }
 

@@ -96,9 +96,7 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
 
     /// The end of a segment beyond which a position is.
     fn beyond_end(&self, position: &Vector<S, D>) -> Option<usize> {
-        let [x, y] = [0, 1].map(|axis| component(self.normal(), axis));
-        let along = Vector::<S, D>::from_fn(|axis, _| if axis == 0 { y } else { -x });
-        let from = |end: usize| dot(&along, &(position - self.corner(end)));
+        let from = |end: usize| self.along_it(&(position - self.corner(end)));
         match (from(0) < S::zero(), from(1) > S::zero()) {
             (true, _) => Some(0),
             (false, true) => Some(1),
@@ -106,20 +104,59 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
         }
     }
 
+    /// The part of a way that goes along a segment, from its first corner to its second.
+    fn along_it(&self, way: &Vector<S, D>) -> S {
+        let [x, y] = [0, 1].map(|axis| component(self.normal(), axis));
+        dot(&Vector::<S, D>::from_fn(|axis, _| if axis == 0 { y } else { -x }), way)
+    }
+
     /// Whether a position is beyond an edge of a triangle.
     fn is_beyond(&self, position: &Vector<S, D>, edge: usize) -> bool {
-        let [from, to] = self.edge(edge).map(|k| self.corner(k));
-        let along = match S::RANGE {
-            // In fixed point little would be left of a short edge.
-            Some(_) => unit(&(to - from)),
-            None => to - from,
-        };
+        self.beyond_edge(position, edge) > S::zero()
+    }
+
+    /// How far a position is beyond an edge of a triangle, times the length of the edge.
+    #[inline(always)]
+    fn beyond_edge(&self, position: &Vector<S, D>, edge: usize) -> S {
+        let [from, to] = self.edge(edge);
+        let [from, to] = [self.corner(from), self.corner(to)];
+        // In fixed point little would be left of a short edge: there the length is one.
+        let along = if S::RANGE.is_some() { unit(&(to - from)) } else { to - from };
         let inwards = moment(self.normal(), &along);
         let inwards = Vector::<S, D>::from_fn(|axis, _| component(&inwards, axis));
-        dot(&inwards, &(position - from)) < S::zero()
+        -dot(&inwards, &(position - from))
+    }
+
+    /// A way beyond an edge of a triangle, as a length.
+    fn in_lengths(&self, way: S, edge: usize) -> S {
+        let [from, to] = self.edge(edge).map(|k| self.corner(k));
+        if S::RANGE.is_some() { way } else { way / norm(&(to - from)) }
+    }
+
+    /// How far the foot of a position on the plane through it is beside its face, at least; none if it lies inside.
+    pub(crate) fn beside_by(&self, position: &Vector<S, D>) -> Option<S> {
+        match D {
+            2 => {
+                let end = self.beyond_end(position)?;
+                Some(self.along_it(&(position - self.corner(end))).abs())
+            }
+            3 => {
+                let mut most = None;
+                for edge in 0..3 {
+                    let way = self.beyond_edge(position, edge);
+                    if way > S::zero() {
+                        let way = self.in_lengths(way, edge);
+                        most = Some(most.map_or(way, |most: S| most.max(way)));
+                    }
+                }
+                most
+            }
+            _ => None,
+        }
     }
 
     /// The corners of an edge of a triangle, in the order of their numbers, but the last edge's.
+    #[inline(always)]
     fn edge(&self, edge: usize) -> [usize; 2] {
         [edge, if edge + 1 == D { 0 } else { edge + 1 }]
     }
