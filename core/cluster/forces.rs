@@ -145,14 +145,22 @@ impl<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>> Forces<'_, '_, S,
         nearing: S,
     ) {
         let begins = mean.share < S::one() && touching.rate > S::zero();
+        let position = self.position(grain);
         self.receiver.receive(&Transfer {
             grain,
             partner,
             impulse: normal * (mean.force * self.step),
+            position,
             separation: normal * distance,
             work: mean.force * nearing * self.step,
             approach: begins.then_some(touching.rate),
         });
+    }
+
+    /// Where a grain is in the middle of the step.
+    #[inline(always)]
+    pub(super) fn position(&self, grain: usize) -> Vector<S, D> {
+        self.particles.body(grain).map_or(Vector::zeros(), |body| body.position)
     }
 
     /// The mean force of two over the step; what it says of the next step's length is kept, and whether they

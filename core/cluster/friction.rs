@@ -110,10 +110,12 @@ impl<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>> Forces<'_, '_, S,
         state.drag(&(held + slip * half));
         let torque = torque * mean.share;
         let force = -swept(&torque, normal);
+        let position = self.position(i);
         self.receiver.receive(&Transfer {
             grain: i,
             partner: with,
             impulse: force * self.step,
+            position,
             separation: *normal * (reach - touching.overlap),
             work: dot(&torque, &slip) * self.step,
             approach: None,

@@ -23,11 +23,16 @@ pub(crate) fn for_each_resting<S: Scalar, const D: usize, R: Rule<S>>(
         let mut tell =
             |with, touching: &Touching<S>, (normal, distance): (Vector<S, D>, S), since| {
                 let impulse = resting_force(particles, law, touching, ((i, with), &normal));
-                let (separation, work, approach) = (normal * distance, S::zero(), None);
-                visit(
-                    &Transfer { grain: i, partner: with, impulse, separation, work, approach },
-                    since,
-                );
+                let transfer = Transfer {
+                    grain: i,
+                    partner: with,
+                    impulse,
+                    position: body.position,
+                    separation: normal * distance,
+                    work: S::zero(),
+                    approach: None,
+                };
+                visit(&transfer, since);
             };
         for (p, plane) in domain.boundary.planes().iter().enumerate() {
             let overlap = -plane.gap(&body.position, body.radius, now);

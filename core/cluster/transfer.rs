@@ -12,11 +12,13 @@ use crate::scalar::{Scalar, Vector};
 pub struct Transfer<S: Scalar, const D: usize> {
     /// The grain.
     pub grain: usize,
-    /// What it touches: another grain or a plane.
+    /// What it touches: another grain, a plane or a facet.
     pub partner: Partner,
     /// The momentum that the grain was given: force times the step.
     pub impulse: Vector<S, D>,
-    /// From the partner's centre, or the nearest point of the plane, to the grain's, in the middle of the step.
+    /// The grain's centre, in the middle of the step.
+    pub position: Vector<S, D>,
+    /// From the partner's centre, or the nearest point of the plane or facet, to the grain's, at that instant.
     pub separation: Vector<S, D>,
     /// The kinetic energy of grains that went into the contact: what its spring stores, too, and gives back later (negative).
     /// A plane that moves gives some: then less went, or none.

@@ -155,6 +155,7 @@ fn given<const D: usize>(
         grain: event.grain,
         partner: event.partner,
         impulse: (after - before) * grain.mass,
+        position: grain.position,
         separation: wall.normal * grain.radius,
         work: 0.5 * grain.mass * (before.norm_squared() - after.norm_squared()),
         approach: None,

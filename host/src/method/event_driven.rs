@@ -27,7 +27,7 @@ impl<'m, const D: usize, R: Rule<f64>> EventDriven<'m, D, R> {
     /// Sums over contacts, going on from these if they are given.
     #[must_use]
     pub fn with_tally(self, layout: Option<&Layout>, sums: Option<&[f64]>) -> Self {
-        let mut tally = layout.map(Tally::new);
+        let mut tally = layout.map(|layout| Tally::new(layout, self.world.inertia()));
         if let (Some(tally), Some(sums)) = (&mut tally, sums) {
             tally.set(sums);
         }

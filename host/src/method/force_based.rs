@@ -197,6 +197,7 @@ fn transfer<const D: usize>(contact: &ContactStep<D>, given: &Given) -> Transfer
         grain,
         partner,
         impulse: force.map(|force| force * step).into(),
+        position: contact.position.into(),
         separation: (*separation).into(),
         work,
         approach: contact.began.then(approach),

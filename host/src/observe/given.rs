@@ -1,6 +1,7 @@
 //! What have contacts given so far? Reads one transfer after the other; writes sums, as they are numbered.
 
 use super::layout::{Contact, Layout, Wall};
+use super::obstacles::Struck;
 use carom::nalgebra::SVector;
 use carom::world::Transfer;
 
@@ -60,7 +61,7 @@ impl Given {
 
     /// What two gave each other within a part of their contact; how long that was, if it is known.
     pub fn add<const D: usize>(&mut self, contact: &Transfer<f64, D>, duration: f64) {
-        let Transfer { grain, partner, ref impulse, ref separation, work, approach } = *contact;
+        let Transfer { grain, partner, ref impulse, ref separation, work, approach, .. } = *contact;
         let began = f64::from(u8::from(approach.is_some()));
         if let Some(with) = partner.as_grain() {
             self.transfer(separation, impulse);
@@ -70,7 +71,27 @@ impl Given {
         } else if let Some(plane) = partner.as_plane() {
             let push = separation.dot(impulse) / separation.norm_squared().sqrt();
             self.push(plane, [began, push, work]);
+        } else if let Some(facet) = partner.as_facet() {
+            let at = contact.position - separation;
+            self.strike(facet, [began, work], impulse, (&at, [0.0; 3]));
         }
+    }
+
+    /// The obstacle that has a facet was met so often, took so much energy, and gave a grain this impulse at a point, and
+    /// this angular momentum about the grain's centre if the point is that.
+    pub fn strike<const D: usize>(
+        &mut self,
+        facet: usize,
+        count_and_loss: [f64; 2],
+        impulse: &SVector<f64, D>,
+        at: (&SVector<f64, D>, [f64; 3]),
+    ) {
+        let Some(&number) = self.layout.facets.get(facet) else { return };
+        let Some(obstacle) = self.layout.obstacles.get(number) else { return };
+        let more = obstacle.given(count_and_loss, impulse, at);
+        let place = self.layout.obstacle(number, Struck::Count);
+        let sums = self.sums.get_mut(place..place + Struck::COUNT).unwrap_or_default();
+        sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
     }
 
     /// A plane was met so often, was pushed by so much, and took so much energy.

@@ -1,5 +1,6 @@
 //! Which sum stands where? Reads the start of a run; writes nothing, numbers the sums.
 
+use super::obstacles::{Observed, Struck};
 use crate::scenario::{Flow, Side, Start};
 use std::ops::Range;
 
@@ -77,6 +78,10 @@ pub struct Layout {
     pub flow: Option<Flow>,
     /// The planes: their names and their areas, where these are known.
     pub walls: Vec<(String, Option<f64>)>,
+    /// The obstacles.
+    pub obstacles: Vec<Observed>,
+    /// Of which of them each facet is.
+    pub facets: Vec<usize>,
     /// Volume of the box, if it is bounded.
     pub volume: Option<f64>,
     /// The mass of a grain of each species, the mean if they differ, and how many there are.
@@ -111,6 +116,8 @@ impl Layout {
             sides: start.sides,
             flow: start.flow,
             walls,
+            obstacles: Observed::all(start),
+            facets: start.walls.iter().map(|facet| facet.obstacle).collect(),
             volume,
             masses,
         }
@@ -128,7 +135,7 @@ impl Layout {
 
     /// How many sums collisions have.
     pub fn tally_width(&self) -> usize {
-        1 + self.dimension.pow(2) + Contact::COUNT * self.pairs() + Wall::COUNT * self.walls.len()
+        self.obstacle(self.obstacles.len(), Struck::Count)
     }
 
     /// How many sums there are.
@@ -163,6 +170,11 @@ impl Layout {
     /// A sum over contacts with a plane.
     pub fn wall(&self, wall: usize, what: Wall) -> usize {
         self.contact(self.pairs(), Contact::Count) + Wall::COUNT * wall + what as usize
+    }
+
+    /// A sum over contacts with an obstacle.
+    pub fn obstacle(&self, number: usize, what: Struck) -> usize {
+        self.wall(self.walls.len(), Wall::Count) + Struck::COUNT * number + what.place()
     }
 
     /// How many states were looked at.

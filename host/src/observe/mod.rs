@@ -7,6 +7,7 @@ mod blocks;
 mod correlations;
 mod given;
 mod layout;
+mod obstacles;
 mod pair_distribution;
 mod profile;
 mod quantities;

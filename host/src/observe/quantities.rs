@@ -1,6 +1,7 @@
 //! Which means are there, and how do they follow from the sums? Reads sums; writes nothing, names quantities and units.
 
 use super::layout::{Contact, Layout, State, Wall};
+use super::obstacles;
 
 /// A number that follows from sums.
 pub struct Quantity {
@@ -58,6 +59,7 @@ pub fn all(layout: &Layout) -> Vec<Quantity> {
     list.extend(stresses(layout));
     list.extend(contacts(layout));
     list.extend(walls(layout));
+    list.extend(obstacles::quantities(layout));
     list
 }
 

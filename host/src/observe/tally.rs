@@ -6,7 +6,7 @@ use carom::law::{Outcome, Rule};
 use carom::nalgebra::SVector;
 use carom::particle::Partner;
 use carom::world::{Event, EventKind, EventOutcome, Relative, Transfer};
-use carom::{Observer, View, World};
+use carom::{Grain, Observer, View, World};
 
 /// Sums over the contacts of a world.
 ///
@@ -24,6 +24,8 @@ pub struct Tally<const D: usize> {
     ending: Vec<Ending<D>>,
     /// Steps that nobody observed, as many as were counted.
     unseen: Option<u64>,
+    /// I/(m R²) of all grains; 0 for smooth ones.
+    inertia: f64,
 }
 
 type Vector<const D: usize> = SVector<f64, D>;
@@ -33,6 +35,17 @@ type Vector<const D: usize> = SVector<f64, D>;
 enum Touch<const D: usize> {
     Grains { a: usize, b: usize, before: Relative<f64, D> },
     Plane(Grounded<D>),
+    Facet(Striking<D>),
+}
+
+/// A grain that is about to strike a facet.
+#[derive(Clone, Copy, Debug)]
+struct Striking<const D: usize> {
+    number: usize,
+    facet: usize,
+    grain: Grain<f64, D>,
+    /// Its angular velocity.
+    spin: [f64; 3],
 }
 
 /// A grain at a plane, before they know of each other.
@@ -60,8 +73,9 @@ enum Ending<const D: usize> {
 
 impl<const D: usize> Tally<D> {
     /// Nothing has happened.
-    pub fn new(layout: &Layout) -> Self {
-        Self { given: Given::new(layout), touch: None, ending: Vec::with_capacity(4), unseen: None }
+    pub fn new(layout: &Layout, inertia: Option<f64>) -> Self {
+        let (given, ending) = (Given::new(layout), Vec::with_capacity(4));
+        Self { given, touch: None, ending, unseen: None, inertia: inertia.unwrap_or(0.0) }
     }
 
     /// The sums so far.
@@ -138,6 +152,20 @@ impl<const D: usize> Tally<D> {
         self.given.push(ground.plane, [count, push, loss]);
     }
 
+    /// What a facet and a grain gave each other: what the grain has gained, of angular momentum, too.
+    fn struck(&mut self, before: &Striking<D>, view: &View<'_, f64, D>) {
+        let Striking { number, facet, grain, spin } = before;
+        let Some(after) = view.velocity(*number) else { return };
+        let impulse = (after - grain.velocity) * grain.mass;
+        let turned = view.angular_velocity(*number).unwrap_or_default();
+        let moment = self.inertia * grain.mass * grain.radius * grain.radius;
+        let gained = std::array::from_fn(|axis| moment * (turned[axis] - spin[axis]));
+        let square = |spin: &[f64; 3]| spin.iter().map(|w| w * w).sum::<f64>();
+        let loss = 0.5 * grain.mass * (grain.velocity.norm_squared() - after.norm_squared())
+            + 0.5 * moment * (square(spin) - square(&turned));
+        self.given.strike(*facet, [1.0, loss], &impulse, (&grain.position, gained));
+    }
+
     /// A contact may have ended; if it has not the velocity is the same.
     fn ended(&mut self, ending: &Ending<D>, view: &View<'_, f64, D>) {
         match ending {
@@ -192,14 +220,16 @@ fn relative_velocity<const D: usize>(
 }
 
 fn touch<const D: usize>(grain: usize, with: Partner, view: &View<'_, f64, D>) -> Option<Touch<D>> {
-    match (with.as_grain(), with.as_plane()) {
-        (Some(b), _) => {
-            let before = view.relative(grain, b)?;
-            Some(Touch::Grains { a: grain, b, before })
-        }
-        (None, Some(plane)) => grounded(grain, plane, view).map(Touch::Plane),
-        (None, None) => None,
+    if let Some(b) = with.as_grain() {
+        let before = view.relative(grain, b)?;
+        return Some(Touch::Grains { a: grain, b, before });
     }
+    if let Some(plane) = with.as_plane() {
+        return grounded(grain, plane, view).map(Touch::Plane);
+    }
+    let spin = view.angular_velocity(grain).unwrap_or_default();
+    let (number, facet) = (grain, with.as_facet()?);
+    Some(Touch::Facet(Striking { number, facet, grain: view.grain(grain)?, spin }))
 }
 
 fn grounded<const D: usize>(
@@ -251,6 +281,7 @@ impl<const D: usize> Observer<f64, D> for Tally<D> {
                         }
                     }
                     Touch::Plane(ground) => self.pushed(&ground, &view, 1.0),
+                    Touch::Facet(before) => self.struck(&before, &view),
                 }
             }
             _ => {

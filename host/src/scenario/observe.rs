@@ -6,7 +6,8 @@ use serde::Deserialize;
 
 /// What is measured while a method runs: the table `[observe]` of a scenario.
 ///
-/// Means, energies and rates are measured wherever the table stands, empty or not. All units are SI.
+/// Means, energies and rates, forces on walls and obstacles, and the torque on what turns, are measured wherever the table
+/// stands, empty or not. All units are SI.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ObserveSpec {

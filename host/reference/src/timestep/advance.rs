@@ -137,8 +137,16 @@ impl<const D: usize> Verlet<D> {
                 }
             };
             let velocities = [self.kicked(grain, behind), other];
-            let (force, separation) = (push.force, push.separation);
-            tell(&ContactStep { grain, partner, force, separation, velocities, step: kick, began });
+            tell(&ContactStep {
+                grain,
+                partner,
+                force: push.force,
+                position: self.positions[grain],
+                separation: push.separation,
+                velocities,
+                step: kick,
+                began,
+            });
         }
     }
 

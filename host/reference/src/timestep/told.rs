@@ -12,6 +12,8 @@ pub struct ContactStep<const D: usize> {
     pub partner: Partner,
     /// The force on the grain (N); a partner feels the opposite.
     pub force: [f64; D],
+    /// The grain's centre (m).
+    pub position: [f64; D],
     /// From the partner's centre, or the nearest point of the wall, to the grain's (m), nearest image.
     pub separation: [f64; D],
     /// The velocity of the grain, and of the partner; a wall's is that of its surface.
