@@ -128,6 +128,11 @@ const OURS: &[Entry] = &[
         waves::flow::make
     ),
     entry!("drum", "the slope in a drum of rough disks that turns, against μ", walls::drum::make),
+    entry!(
+        "hopper",
+        "how fast disks run out of openings of four widths, against Beverloo's law",
+        walls::hopper::make
+    ),
 ];
 
 /// Points of a curve that are printed.
