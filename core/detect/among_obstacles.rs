@@ -8,7 +8,7 @@ use super::root;
 use super::scheduled_event::{EventKind, ScheduledEvent};
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, component};
-use crate::space::{CellFace, Domain, Grid, Obstacles, flight};
+use crate::space::{CellFace, Domain, Facet, Grid, Obstacles, flight};
 
 /// So many cells of the obstacles are looked into at a time.
 const MOST_CELLS: usize = 64;
@@ -59,7 +59,11 @@ impl<S: Scalar, const D: usize> Predictor<'_, S, D> {
     ) {
         let mut edges = heapless::Vec::<(usize, S), MOST_EDGES>::new();
         let seen = obstacles.list(cell);
-        let is_near = |k: &usize| obstacles.facet(*k).is_some_and(|f| !f.is_outside(around));
+        // On small machines there are few, and their number counts less than the code's size.
+        let is_near = |k: &usize| {
+            let is_outside = |facet: &Facet<S, D>| facet.is_outside(around);
+            !cfg!(feature = "alloc") || !obstacles.facet(*k).is_some_and(is_outside)
+        };
         for k in seen.filter(is_near) {
             let Some(time) = self.face(first, (k, obstacles), until) else { continue };
             if edges.push((k, time)).is_err() {
@@ -138,13 +142,14 @@ impl<S: Scalar, const D: usize> Path<'_, S, D> {
     fn around(&self, [from, to]: [S; 2], radius: S) -> [Vector<S, D>; 2] {
         let [x, v, a] = self.state;
         let at = |t: S| x + (v + a * (t * S::half())) * t;
-        let (begin, end) = (at(from), at(to));
+        let begin = at(from);
+        let half = (at(to) - begin) * S::half();
         let reach = radius * S::from_f32(1.0 + 1.0 / 64.0);
         // A parabola is off its chord by no more than a t²/8.
-        let eighth = (to - from) * S::from_f32(0.125);
-        let off = a.map(|a| reach + a.abs() * eighth * (to - from));
-        // What is no number, as a time without end times zero, bounds nothing.
-        [begin.zip_map(&end, S::min) - off, begin.zip_map(&end, S::max) + off]
+        let off = a * ((to - from) * S::from_f32(0.125)) * (to - from);
+        let wide = half.zip_map(&off, |half, off| half.abs() + off.abs() + reach);
+        // What is no number, as in fixed point what is too far, bounds nothing.
+        [begin + half - wide, begin + half + wide]
     }
 
     /// It comes into the next cell; none if it stays in this one for ever.

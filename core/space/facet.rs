@@ -127,7 +127,7 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
     }
 
     /// A corner; there are as many as axes.
-    #[inline(always)]
+    #[cfg_attr(feature = "alloc", inline(always))]
     pub(super) fn corner(&self, number: usize) -> Vector<S, D> {
         self.corners.get(number).copied().unwrap_or(Vector::zeros())
     }
@@ -141,7 +141,7 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
     }
 
     /// Whether it lies outside a box, beyond one of its sides.
-    #[inline]
+    #[cfg_attr(feature = "alloc", inline)]
     pub(crate) fn is_outside(&self, [low, high]: &[Vector<S, D>; 2]) -> bool {
         (0..D).any(|axis| {
             let [low, high] = [component(low, axis), component(high, axis)];

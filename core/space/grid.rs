@@ -224,7 +224,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     }
 
     /// The coordinates of the cell behind a face of that with these.
-    #[inline]
+    #[cfg_attr(feature = "alloc", inline)]
     pub(crate) fn beside(&self, at: &[u32; D], face: CellFace) -> Option<[u32; D]> {
         let mut beside = *at;
         let (c, along) = (beside.get_mut(face.axis)?, self.axes.as_slice().get(face.axis)?);

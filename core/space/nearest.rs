@@ -79,7 +79,7 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
     pub(crate) fn nearest(&self, position: &Vector<S, D>) -> Nearest<S, D> {
         match D {
             2 => match self.beyond_end(position) {
-                Some(end) => self.beside_corner(position, end),
+                Some((end, _)) => self.beside_corner(position, end),
                 None => self.beside_face(position),
             },
             3 => {
@@ -94,20 +94,16 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
         }
     }
 
-    /// The end of a segment beyond which a position is.
-    fn beyond_end(&self, position: &Vector<S, D>) -> Option<usize> {
-        let from = |end: usize| self.along_it(&(position - self.corner(end)));
-        match (from(0) < S::zero(), from(1) > S::zero()) {
-            (true, _) => Some(0),
-            (false, true) => Some(1),
-            (false, false) => None,
-        }
-    }
-
-    /// The part of a way that goes along a segment, from its first corner to its second.
-    fn along_it(&self, way: &Vector<S, D>) -> S {
+    /// The end of a segment beyond which a position is, and by how much.
+    fn beyond_end(&self, position: &Vector<S, D>) -> Option<(usize, S)> {
         let [x, y] = [0, 1].map(|axis| component(self.normal(), axis));
-        dot(&Vector::<S, D>::from_fn(|axis, _| if axis == 0 { y } else { -x }), way)
+        let along = Vector::<S, D>::from_fn(|axis, _| if axis == 0 { y } else { -x });
+        let from = |end: usize| dot(&along, &(position - self.corner(end)));
+        match (from(0), from(1)) {
+            (way, _) if way < S::zero() => Some((0, -way)),
+            (_, way) if way > S::zero() => Some((1, way)),
+            _ => None,
+        }
     }
 
     /// Whether a position is beyond an edge of a triangle.
@@ -136,10 +132,7 @@ impl<S: Scalar, const D: usize> Facet<S, D> {
     /// How far the foot of a position on the plane through it is beside its face, at least; none if it lies inside.
     pub(crate) fn beside_by(&self, position: &Vector<S, D>) -> Option<S> {
         match D {
-            2 => {
-                let end = self.beyond_end(position)?;
-                Some(self.along_it(&(position - self.corner(end))).abs())
-            }
+            2 => self.beyond_end(position).map(|(_, way)| way),
             3 => {
                 let mut most = None;
                 for edge in 0..3 {
