@@ -98,6 +98,8 @@ impl<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>> Forces<'_, '_, S,
         let reach = touching.impact.contact_distance;
         // Where the contact is, so that both arms add up to the distance.
         let part = (reach - touching.overlap) / reach;
+        // What a surface that moves gives is not the grain's.
+        let driven = self.surface_velocity((i, with), normal, part).unwrap_or(Vector::zeros());
         let slip = moment(normal, &self.sliding((i, with), normal, part));
         let half = self.step * mean.share * S::half();
         let state = match Contacts(&mut *self.particles.contacts.0).of(i, with) {
@@ -117,7 +119,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>> Forces<'_, '_, S,
             impulse: force * self.step,
             position,
             separation: *normal * (reach - touching.overlap),
-            work: dot(&torque, &slip) * self.step,
+            work: (dot(&torque, &slip) - dot(&force, &driven)) * self.step,
             approach: None,
         });
         self.turn((i, &force), &torque, (q, part));
@@ -141,11 +143,21 @@ impl<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>> Forces<'_, '_, S,
             self.domain.image_velocity(me, other)
         });
         let u = image.map_or(u, |image| u + image);
-        let at = self.particles.body(i).map(|body| body.position - normal * (body.radius * part));
-        let surface =
-            at.and_then(|at| self.domain.boundary.surface_velocity(with, &at, self.middle));
-        let u = surface.unwrap_or(u);
+        let u = self.surface_velocity((i, with), normal, part).unwrap_or(u);
         sliding(&(v - u), &(w + z), normal)
+    }
+
+    /// How a surface moves that is no grain's, where a grain touches it.
+    #[inline(always)]
+    fn surface_velocity(
+        &self,
+        (i, with): (usize, Partner),
+        normal: &Vector<S, D>,
+        part: S,
+    ) -> Option<Vector<S, D>> {
+        let body = self.particles.body(i)?;
+        let at = body.position - normal * (body.radius * part);
+        self.domain.boundary.surface_velocity(with, &at, self.middle)
     }
 
     /// A force on the surface of a grain moves it and turns it. One that sleeps holds.

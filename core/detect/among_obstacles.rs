@@ -95,7 +95,8 @@ impl<S: Scalar, const D: usize> Predictor<'_, S, D> {
                 None
             }
             // What is past was put off: as of edges, the search says what follows.
-            Face::Touched(span) | Face::PerhapsAfter(span) => Some(start + span),
+            Face::Touched(span) => Some(start + span),
+            Face::EdgesPerhaps { after, .. } => Some(start + after),
         }
     }
 
@@ -142,14 +143,15 @@ impl<S: Scalar, const D: usize> Path<'_, S, D> {
     fn around(&self, [from, to]: [S; 2], radius: S) -> [Vector<S, D>; 2] {
         let [x, v, a] = self.state;
         let at = |t: S| x + (v + a * (t * S::half())) * t;
+        let slack = S::from_f32(1.0 + 1.0 / 64.0);
         let begin = at(from);
-        let half = (at(to) - begin) * S::half();
-        let reach = radius * S::from_f32(1.0 + 1.0 / 64.0);
+        let way = (at(to) - begin) * slack;
         // A parabola is off its chord by no more than a t²/8.
         let off = a * ((to - from) * S::from_f32(0.125)) * (to - from);
-        let wide = half.zip_map(&off, |half, off| half.abs() + off.abs() + reach);
-        // What is no number, as in fixed point what is too far, bounds nothing.
-        [begin + half - wide, begin + half + wide]
+        let reach = off.map(|off| radius * slack + off.abs());
+        // A way that is no number, as of what is too far in fixed point, bounds nothing: it stays what it is.
+        let (down, up) = (way.map(|way| way.min(S::zero())), way.map(|way| way.max(S::zero())));
+        [begin + down - reach, begin + up + reach]
     }
 
     /// It comes into the next cell; none if it stays in this one for ever.

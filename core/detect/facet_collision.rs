@@ -8,7 +8,7 @@
 use super::bracketed_root::{Found, Search};
 use super::root;
 use crate::particle::Body;
-use crate::scalar::{Scalar, Vector, WideProduct, dot, norm};
+use crate::scalar::{Scalar, Vector, WideProduct, dot, max_abs, norm};
 use crate::space::{Domain, Facet};
 
 /// So often a search goes on where it paused.
@@ -19,8 +19,13 @@ const ROUNDS: usize = 16;
 pub(super) enum Face<S> {
     /// It is touched then, beside its face.
     Touched(S),
-    /// Its edges may be touched, not before this.
-    PerhapsAfter(S),
+    /// Its edges may be touched.
+    EdgesPerhaps {
+        /// When the plane through it is touched: where a search begins, whatever is known to come first.
+        plane: S,
+        /// Not before this.
+        after: S,
+    },
     /// It is not touched before the limit.
     Missed,
 }
@@ -35,8 +40,10 @@ pub(super) fn body_and_facet<S: Scalar, const D: usize>(
         Face::Touched(span) => return Found::Event(span),
         Face::Missed => return Found::Nothing,
         // What begins with the earliest event known comes too late.
-        Face::PerhapsAfter(span) if span > S::zero() && span >= limit => return Found::Nothing,
-        Face::PerhapsAfter(span) => span,
+        Face::EdgesPerhaps { after, .. } if after > S::zero() && after >= limit => {
+            return Found::Nothing;
+        }
+        Face::EdgesPerhaps { plane, .. } => plane,
     };
     let flight = Flight { me, acceleration: domain.gravity() };
     for _ in 0..ROUNDS {
@@ -92,7 +99,8 @@ impl<S: Scalar, const D: usize> Flight<'_, S, D> {
         let (there, _) = self.at(span);
         match facet.beside_by(&there) {
             None => Face::Touched(span),
-            Some(beside) => self.edges(span, [beside, S::zero()], limit),
+            // What overlaps, and rises, may do so still when it falls again.
+            Some(beside) => self.edges(span, [beside, gap.min(S::zero())], limit),
         }
     }
 
@@ -104,14 +112,14 @@ impl<S: Scalar, const D: usize> Flight<'_, S, D> {
         // d − R of a distance d ≤ R + beside, whose square is (R + gap)² + beside².
         let squares = beside.times(beside) + gap.times(radius + radius + gap);
         let way = squares.divided_by(radius + radius + beside);
-        let (_, velocity) = self.at(span);
+        let (there, velocity) = self.at(span);
         let fall = self.acceleration * (limit - span);
         let fast = velocity.iter().chain(fall.iter()).fold(S::zero(), |sum, v| sum + v.abs());
-        // Rounding is the search's affair.
         let later = way / fast * S::from_f32(1.0 - 1.0 / 64.0);
-        // Asked so that what is no number, as a time without end times zero, says nothing.
-        let from = if later > S::zero() { span + later } else { span };
-        if from > limit { Face::Missed } else { Face::PerhapsAfter(from) }
+        // What rounding may have made is the search's affair, and what is no number says nothing.
+        let rounding = max_abs(&there).rounding() * S::from_f32(64.0);
+        let after = if way > rounding && later > S::zero() { span + later } else { span };
+        if after > limit { Face::Missed } else { Face::EdgesPerhaps { plane: span, after } }
     }
 
     /// How long after a span the body touches a facet.
@@ -154,7 +162,10 @@ mod tests {
                 prop_assert!(gap(span).abs() < 1e-9, "{} at {span}", gap(span));
                 span
             }
-            Face::PerhapsAfter(span) => span,
+            Face::EdgesPerhaps { plane, after } => {
+                prop_assert!(plane <= after);
+                after
+            }
             Face::Missed => limit,
         };
         for t in (0..200).map(|k| clear * f64::from(k) / 200.0) {

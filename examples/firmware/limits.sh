@@ -28,7 +28,7 @@ boxed() { awk -v what="$2" '$1 == what { v = $2 } END { print v == "" ? "null" :
 ram() { echo $(($(boxed "$1" memory) + $(boxed "$1" world))); }
 limit $m4 "flash of the hourglass" "$(flash "$image/hourglass")" 91000 91000
 limit $m4 "RAM of the hourglass" "$(ram hourglass)" 7264 7264
-limit $m4 "the mean frame of the hourglass" "$(boxed hourglass free.mean)" 19500000 2500000
+limit $m4 "the mean frame of the hourglass" "$(boxed hourglass free.mean)" 16800000 2500000
 limit $m4 "the longest frame of the hourglass" "$(boxed hourglass free.frame)" 136000000 2500000
 limit $m4 "the longest frame of the hourglass that has 25 ms" "$(boxed hourglass shared.frame)" 3200000 2500000
 limit $m4 "frames of 25 ms until the hourglass has run down" "$(boxed hourglass shared.down)" 70 12

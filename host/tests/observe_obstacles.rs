@@ -39,10 +39,11 @@ fn drum(rule: &str, disks: u32) -> String {
     text
 }
 
-/// What was measured; and momentum and angular momentum about the centre, as they were and as they are in the end.
+/// What was measured; and momentum, angular momentum about the centre and energy, as they were and as they are in the end.
 struct Measured {
     recorder: Recorder,
     momenta: [[f64; 3]; 2],
+    energies: [f64; 2],
 }
 
 fn momenta(method: &dyn method::Method) -> [f64; 3] {
@@ -55,15 +56,20 @@ fn momenta(method: &dyn method::Method) -> [f64; 3] {
     })
 }
 
+fn energy(method: &dyn method::Method) -> f64 {
+    method.kinetic_energy() + method.rotational_energy()
+}
+
 impl Measured {
     fn of(text: &str) -> Self {
         let scenario = Scenario::parse(text).unwrap();
         let start = Start::new(&scenario).unwrap();
         let name = if text.contains("lsd") { MethodName::EmdStar } else { MethodName::Emd };
         method::with(name, &scenario, &start, |method| {
-            let before = momenta(method);
+            let (before, energy) = (momenta(method), energy(method));
             let recorder = measure::attend(method, &scenario, &start)?;
-            Ok(Self { recorder, momenta: [before, momenta(method)] })
+            let energies = [energy, self::energy(method)];
+            Ok(Self { recorder, momenta: [before, momenta(method)], energies })
         })
         .unwrap()
     }
@@ -92,6 +98,19 @@ fn a_drum_gets_what_grains_lose() {
             );
         }
         assert!(found.value("contacts", "obstacle 0") > 0.0);
+    }
+}
+
+/// Of hard disks energy goes in collisions with each other and with the drum, which gives some.
+#[test]
+fn what_energy_is_lost_is_told() {
+    for (rule, disks) in RULES.into_iter().zip([6, 1]) {
+        let found = Measured::of(&drum(rule, disks));
+        let [before, after] = found.energies;
+        let pairs = if disks == 1 { 0.0 } else { found.value("energy lost in contacts", "all") };
+        let lost = (pairs + found.value("energy lost in contacts", "obstacle 0")) * DURATION;
+        let tolerance = if disks == 1 { 1e-3 } else { 1e-9 };
+        assert!((lost - (before - after)).abs() < tolerance, "{rule}{lost} of {}", before - after);
     }
 }
 

@@ -3,6 +3,7 @@
 //! Everything that is measured is made of sums: over collisions, and over states at equal intervals. Sums
 //! of parts of the time ([`Blocks`]) give every quantity and its error.
 
+mod alone;
 mod blocks;
 mod correlations;
 mod given;

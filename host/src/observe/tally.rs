@@ -1,12 +1,13 @@
 //! What do contacts transfer and cost? Reads every event of a world, just before and just after; writes sums.
 
+use super::alone::{Alone, Gained};
 use super::given::Given;
 use super::layout::{Contact, Layout};
 use carom::law::{Outcome, Rule};
 use carom::nalgebra::SVector;
 use carom::particle::Partner;
 use carom::world::{Event, EventKind, EventOutcome, Relative, Transfer};
-use carom::{Grain, Observer, View, World};
+use carom::{Observer, View, World};
 
 /// Sums over the contacts of a world.
 ///
@@ -14,7 +15,8 @@ use carom::{Grain, Observer, View, World};
 /// beginning and its end; with velocities as the world shows them in between, of which the stress of
 /// motion is made, the two give the whole stress exactly. Clustered grains say in each step what they give each
 /// other; those that sleep are asked at each look ([`Tally::rest`]). Restitution and duration of contacts in clusters
-/// are not known, and left empty.
+/// are not known, and left empty. Where several collide at one instant, what a wall or an obstacle was given is that of
+/// the grain of the event, all at once.
 #[derive(Clone, Debug)]
 pub struct Tally<const D: usize> {
     given: Given,
@@ -33,28 +35,9 @@ type Vector<const D: usize> = SVector<f64, D>;
 /// Two that are about to touch.
 #[derive(Clone, Copy, Debug)]
 enum Touch<const D: usize> {
-    Grains { a: usize, b: usize, before: Relative<f64, D> },
-    Plane(Grounded<D>),
-    Facet(Striking<D>),
-}
-
-/// A grain that is about to strike a facet.
-#[derive(Clone, Copy, Debug)]
-struct Striking<const D: usize> {
-    number: usize,
-    facet: usize,
-    grain: Grain<f64, D>,
-    /// Its angular velocity.
-    spin: [f64; 3],
-}
-
-/// A grain at a plane, before they know of each other.
-#[derive(Clone, Copy, Debug)]
-struct Grounded<const D: usize> {
-    grain: usize,
-    plane: usize,
-    mass: f64,
-    velocity: Vector<D>,
+    Grains { a: usize, b: usize, before: Relative<f64, D>, rotation: f64 },
+    Plane(usize, Alone<D>),
+    Facet(usize, Alone<D>),
 }
 
 /// A grain whose contact may end.
@@ -68,7 +51,7 @@ enum Ending<const D: usize> {
         velocity: Vector<D>,
         separation: Vector<D>,
     },
-    Plane(Grounded<D>),
+    Plane(usize, Alone<D>),
 }
 
 impl<const D: usize> Tally<D> {
@@ -125,7 +108,7 @@ impl<const D: usize> Tally<D> {
         &mut self,
         [a, b]: [usize; 2],
         before: &Relative<f64, D>,
-        after: &Vector<D>,
+        (after, rotation): (&Vector<D>, f64),
         how: &EventOutcome<f64>,
     ) {
         let Relative { separation, velocity, reduced_mass } = before;
@@ -138,38 +121,55 @@ impl<const D: usize> Tally<D> {
             EventOutcome::Collision { restitution } => (*restitution, 0.0, 0.0),
             _ => return,
         };
-        let loss = 0.5 * reduced_mass * (velocity.norm_squared() - after.norm_squared());
+        let square = velocity.norm_squared() - after.norm_squared();
+        let loss = 0.5 * reduced_mass * square + rotation;
         let more = [1.0, lasting, loss, approach, restitution, duration];
         self.given.contacts_of(a, b).iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
     }
 
     /// What a plane and a grain gave each other.
-    fn pushed(&mut self, ground: &Grounded<D>, view: &View<'_, f64, D>, count: f64) {
-        let Some(after) = view.velocity(ground.grain) else { return };
-        let Some(plane) = view.boundary().planes().get(ground.plane) else { return };
-        let push = plane.normal.dot(&(after - ground.velocity)) * ground.mass;
-        let loss = 0.5 * ground.mass * (ground.velocity.norm_squared() - after.norm_squared());
-        self.given.push(ground.plane, [count, push, loss]);
+    fn pushed(&mut self, plane: usize, before: &Alone<D>, view: &View<'_, f64, D>, count: f64) {
+        let Some(Gained { momentum, energy, .. }) = before.gained(view, self.inertia) else {
+            return;
+        };
+        let Some(normal) = view.boundary().planes().get(plane).map(|plane| plane.normal) else {
+            return;
+        };
+        self.given.push(plane, [count, normal.dot(&momentum), -energy]);
     }
 
     /// What a facet and a grain gave each other: what the grain has gained, of angular momentum, too.
-    fn struck(&mut self, before: &Striking<D>, view: &View<'_, f64, D>) {
-        let Striking { number, facet, grain, spin } = before;
-        let Some(after) = view.velocity(*number) else { return };
-        let impulse = (after - grain.velocity) * grain.mass;
-        let turned = view.angular_velocity(*number).unwrap_or_default();
-        let moment = self.inertia * grain.mass * grain.radius * grain.radius;
-        let gained = std::array::from_fn(|axis| moment * (turned[axis] - spin[axis]));
-        let square = |spin: &[f64; 3]| spin.iter().map(|w| w * w).sum::<f64>();
-        let loss = 0.5 * grain.mass * (grain.velocity.norm_squared() - after.norm_squared())
-            + 0.5 * moment * (square(spin) - square(&turned));
-        self.given.strike(*facet, [1.0, loss], &impulse, (&grain.position, gained));
+    fn struck(&mut self, facet: usize, before: &Alone<D>, view: &View<'_, f64, D>) {
+        let Some(Gained { momentum, spin, energy }) = before.gained(view, self.inertia) else {
+            return;
+        };
+        self.given.strike(facet, [1.0, -energy], &momentum, (&before.grain.position, spin));
+    }
+
+    /// Who touches whom in an event.
+    fn touch(&self, a: usize, with: Partner, view: &View<'_, f64, D>) -> Option<Touch<D>> {
+        if let Some(b) = with.as_grain() {
+            let (before, rotation) = (view.relative(a, b)?, self.rotation([a, b], view));
+            return Some(Touch::Grains { a, b, before, rotation });
+        }
+        let alone = Alone::new(a, view)?;
+        let plane = with.as_plane().map(|plane| Touch::Plane(plane, alone));
+        plane.or_else(|| Some(Touch::Facet(with.as_facet()?, alone)))
+    }
+
+    /// The rotational energy of two grains.
+    fn rotation(&self, pair: [usize; 2], view: &View<'_, f64, D>) -> f64 {
+        if self.inertia == 0.0 {
+            return 0.0;
+        }
+        let alone = pair.into_iter().filter_map(|i| Alone::new(i, view));
+        alone.map(|grain| grain.rotational_energy(self.inertia)).sum()
     }
 
     /// A contact may have ended; if it has not the velocity is the same.
     fn ended(&mut self, ending: &Ending<D>, view: &View<'_, f64, D>) {
         match ending {
-            Ending::Plane(ground) => self.pushed(ground, view, 0.0),
+            Ending::Plane(plane, before) => self.pushed(*plane, before, view, 0.0),
             Ending::Grain { grain, with, mass, velocity, separation } => {
                 let Some(after) = view.velocity(*grain) else { return };
                 self.given.transfer(separation, &((after - velocity) * (0.5 * mass)));
@@ -191,7 +191,8 @@ impl<const D: usize> Tally<D> {
     fn may_end(&mut self, grain: usize, view: &View<'_, f64, D>) {
         let Some((partner, _)) = view.contact(grain) else { return };
         if let Some(plane) = partner.as_plane() {
-            self.ending.extend(grounded(grain, plane, view).map(Ending::Plane));
+            let alone = Alone::new(grain, view);
+            self.ending.extend(alone.map(|alone| Ending::Plane(plane, alone)));
         }
         let Some(other) = partner.as_grain() else { return };
         let of = |grain, with| {
@@ -219,34 +220,12 @@ fn relative_velocity<const D: usize>(
     Some(view.velocity(a)? - view.velocity(b)?)
 }
 
-fn touch<const D: usize>(grain: usize, with: Partner, view: &View<'_, f64, D>) -> Option<Touch<D>> {
-    if let Some(b) = with.as_grain() {
-        let before = view.relative(grain, b)?;
-        return Some(Touch::Grains { a: grain, b, before });
-    }
-    if let Some(plane) = with.as_plane() {
-        return grounded(grain, plane, view).map(Touch::Plane);
-    }
-    let spin = view.angular_velocity(grain).unwrap_or_default();
-    let (number, facet) = (grain, with.as_facet()?);
-    Some(Touch::Facet(Striking { number, facet, grain: view.grain(grain)?, spin }))
-}
-
-fn grounded<const D: usize>(
-    grain: usize,
-    plane: usize,
-    view: &View<'_, f64, D>,
-) -> Option<Grounded<D>> {
-    let mine = view.grain(grain)?;
-    Some(Grounded { grain, plane, mass: mine.mass, velocity: mine.velocity })
-}
-
 impl<const D: usize> Observer<f64, D> for Tally<D> {
     #[inline]
     fn before(&mut self, event: &Event<f64>, view: View<'_, f64, D>) {
         match event.kind {
             EventKind::Collision => {
-                self.touch = touch(event.grain, event.partner, &view);
+                self.touch = self.touch(event.grain, event.partner, &view);
                 self.may_end(event.grain, &view);
                 event.partner.as_grain().into_iter().for_each(|i| self.may_end(i, &view));
             }
@@ -275,13 +254,14 @@ impl<const D: usize> Observer<f64, D> for Tally<D> {
             ) => {
                 self.ending.clear();
                 match touch {
-                    Touch::Grains { a, b, before } => {
+                    Touch::Grains { a, b, before, rotation } => {
                         if let Some(after) = relative_velocity(&view, a, b) {
-                            self.touched([a, b], &before, &after, how);
+                            let lost = rotation - self.rotation([a, b], &view);
+                            self.touched([a, b], &before, (&after, lost), how);
                         }
                     }
-                    Touch::Plane(ground) => self.pushed(&ground, &view, 1.0),
-                    Touch::Facet(before) => self.struck(&before, &view),
+                    Touch::Plane(plane, before) => self.pushed(plane, &before, &view, 1.0),
+                    Touch::Facet(facet, before) => self.struck(facet, &before, &view),
                 }
             }
             _ => {
