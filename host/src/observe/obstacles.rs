@@ -1,7 +1,5 @@
-//! What do grains do to obstacles? Reads what contacts give; writes sums, and the quantities that follow from them.
+//! What do grains do to obstacles? Reads what a contact gives; writes sums.
 
-use super::layout::Layout;
-use super::quantities::Quantity;
 use crate::scenario::{Motion, Start};
 use carom::nalgebra::SVector;
 
@@ -83,30 +81,4 @@ impl Observed {
 
 fn three<const D: usize>(v: &SVector<f64, D>) -> [f64; 3] {
     std::array::from_fn(|axis| v.get(axis).copied().unwrap_or(0.0))
-}
-
-/// Rates of contacts, forces and losses at obstacles, and the torques on those that turn.
-pub fn quantities(layout: &Layout) -> Vec<Quantity> {
-    let numbered = layout.obstacles.iter().enumerate();
-    numbered.flat_map(|(number, obstacle)| of(layout, number, obstacle)).collect()
-}
-
-fn of(layout: &Layout, number: usize, obstacle: &Observed) -> Vec<Quantity> {
-    let rate = |name: &str, unit, what| {
-        let place = layout.obstacle(number, what);
-        Quantity::new(name, &obstacle.name, unit, move |sums| sums[place] / sums[Layout::TIME])
-    };
-    let axes = ["x", "y", "z"].into_iter().enumerate().take(layout.dimension);
-    let mut list = vec![rate("contacts", "1/s", Struck::Count)];
-    list.extend(axes.clone().map(|(k, x)| rate(&format!("force {x}"), "N", Struck::Momentum(k))));
-    if obstacle.centre.is_some() {
-        match layout.dimension {
-            2 => list.push(rate("torque", "N m", Struck::Turn(2))),
-            _ => {
-                list.extend(axes.map(|(k, x)| rate(&format!("torque {x}"), "N m", Struck::Turn(k))))
-            }
-        }
-    }
-    list.push(rate("energy lost in contacts", "W", Struck::Loss));
-    list
 }

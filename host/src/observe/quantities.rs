@@ -1,7 +1,7 @@
 //! Which means are there, and how do they follow from the sums? Reads sums; writes nothing, names quantities and units.
 
 use super::layout::{Contact, Layout, State, Wall};
-use super::obstacles;
+use super::obstacles::{Observed, Struck};
 
 /// A number that follows from sums.
 pub struct Quantity {
@@ -59,7 +59,7 @@ pub fn all(layout: &Layout) -> Vec<Quantity> {
     list.extend(stresses(layout));
     list.extend(contacts(layout));
     list.extend(walls(layout));
-    list.extend(obstacles::quantities(layout));
+    list.extend(obstacles(layout));
     list
 }
 
@@ -237,5 +237,31 @@ fn walls(layout: &Layout) -> Vec<Quantity> {
         }
         list.push(rate("energy lost in contacts", "W", Wall::Loss, 1.0));
     }
+    list
+}
+
+/// Rates of contacts, forces and losses at obstacles, and the torques on those that turn.
+fn obstacles(layout: &Layout) -> Vec<Quantity> {
+    let numbered = layout.obstacles.iter().enumerate();
+    numbered.flat_map(|(number, obstacle)| of_obstacle(layout, number, obstacle)).collect()
+}
+
+fn of_obstacle(layout: &Layout, number: usize, obstacle: &Observed) -> Vec<Quantity> {
+    let rate = |name: &str, unit, what| {
+        let place = layout.obstacle(number, what);
+        Quantity::new(name, &obstacle.name, unit, move |sums| sums[place] / sums[Layout::TIME])
+    };
+    let axes = AXES.into_iter().enumerate().take(layout.dimension);
+    let mut list = vec![rate("contacts", "1/s", Struck::Count)];
+    list.extend(axes.clone().map(|(k, x)| rate(&format!("force {x}"), "N", Struck::Momentum(k))));
+    if obstacle.centre.is_some() {
+        match layout.dimension {
+            2 => list.push(rate("torque", "N m", Struck::Turn(2))),
+            _ => {
+                list.extend(axes.map(|(k, x)| rate(&format!("torque {x}"), "N m", Struck::Turn(k))))
+            }
+        }
+    }
+    list.push(rate("energy lost in contacts", "W", Struck::Loss));
     list
 }
