@@ -1,10 +1,11 @@
 //! Does anything leak? Balls of random size, speed and loss in closed rooms, over many bounces.
 
 use super::shapes::{Draw, ball, circle, icosphere, ring, room, tetrahedron};
-use carom::World;
 use carom::law::HardSphere;
+use carom::scalar::{I32F32, Real};
 use carom::space::{Facet, Surface};
-use carom::world::Motion;
+use carom::world::{Motion, WithObstacles};
+use carom::{Grain, HeapMemory, Scalar, World};
 
 /// How far a point is inside a convex room about the origin: the smallest distance to the planes through its facets.
 fn depth<const D: usize>(facets: &[Facet<f64, D>], at: &[f64; D]) -> f64 {
@@ -114,5 +115,41 @@ fn ten_million_bounces_in_two_dimensions_and_a_million_in_three() {
     for (n, gravity) in [[0.0; 3], deep].into_iter().enumerate() {
         bounce(&tetrahedron, (200_000, gravity), 40 + n as u64);
         bounce(&|surface| icosphere(1.0, 3, surface), (300_000, gravity), 50 + n as u64);
+    }
+}
+
+/// A disk that nothing else concerns, so that a look has no end in time, in a room away from the origin.
+fn lone_disk_stays<S: Scalar>(to: fn(f64) -> S, places: usize) {
+    for (x, y) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+        let corners = [[3.0, 3.0], [4.0, 3.0], [4.0, 4.0], [3.0, 4.0]];
+        let corners = corners.map(|[a, b]| [to(a * x), to(b * y)]);
+        let side = |k: usize| Facet::new([corners[k], corners[(k + 1) % 4]], Surface::Rule);
+        let facets: Vec<Facet<S, 2>> = (0..4).map(side).collect();
+        let lists = vec![Default::default(); places];
+        let places = HeapMemory::<S, 2>::with_capacity(1);
+        let mut memory = WithObstacles::new(places, facets, lists);
+        for velocity in [[0.5, 0.0], [-0.5, 0.0], [0.0, 0.5], [0.0, -0.5], [0.3, -0.4]] {
+            let disk = Grain::with_mass(to(0.1), S::one());
+            let disk = disk.at([to(3.4 * x), to(3.4 * y)]).moving(velocity.map(to));
+            let mut world = World::builder(&mut memory)
+                .rule(HardSphere { restitution: S::one() })
+                .grain(disk)
+                .unwrap()
+                .start()
+                .unwrap();
+            world.advance_to(100.0).unwrap();
+            let at: [f64; 2] = world.grain(0).unwrap().position.map(S::to_f64).into();
+            assert!(at.iter().all(|x| (3.0..4.0).contains(&x.abs())), "{velocity:?}: {at:?}");
+            assert!(world.statistics().plane_collisions >= 50);
+        }
+    }
+}
+
+#[test]
+fn a_lone_disk_stays_in_a_room_away_from_the_origin() {
+    for places in [6, 200] {
+        lone_disk_stays::<f64>(|x| x, places);
+        lone_disk_stays::<f32>(|x| x as f32, places);
+        lone_disk_stays::<I32F32>(I32F32::from_f64, places);
     }
 }

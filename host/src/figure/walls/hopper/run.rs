@@ -22,7 +22,7 @@ const DISKS: usize = 1500;
 const SPREAD: f64 = 0.1;
 /// Distance of places at the start, and at the inlet.
 const SPACING: f64 = 1.02 * (1.0 + SPREAD);
-/// k (m g/d): the lowest disks overlap by about half a hundredth of d.
+/// k (m g/d): two overlap by half a hundredth of d under the weight of 20 disks.
 const STIFFNESS: f64 = 4000.0;
 /// γ over that of a contact without rebound: with it two of mean size part with ε = 1/2.
 const DAMPING: f64 = 0.215_45;
