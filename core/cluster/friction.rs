@@ -63,6 +63,21 @@ impl<S: Scalar> Grip<S> {
             _ => (free, false),
         }
     }
+
+    /// Where surfaces slide on, the spring turns towards where they slide. It has come `way` since the middle of the last
+    /// step, where it was held to r_0 = |s_0|, and is held to r_1 now. Cut at once, s_0 + `way` would turn too little,
+    /// to first order in `way`; its part along s_0 counts by half, and by all of it where it is long.
+    fn follow(&self, displacement: &Axial<S>, way: &Axial<S>) -> Axial<S> {
+        let Some(most) = self.most else { return *displacement };
+        let before = *displacement - *way;
+        let (held, long) = (norm(&before), norm(way));
+        if !(held > S::zero()) {
+            return *displacement;
+        }
+        let mean = (held + most / self.stiffness) * S::half();
+        let along = before / held;
+        along * (mean - dot(way, &along) * (mean / (mean + mean + long))) + *way
+    }
 }
 
 impl<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>> Forces<'_, '_, S, D, R, O> {
@@ -107,7 +122,11 @@ impl<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>> Forces<'_, '_, S,
             Err(full) => return self.full = self.full.or(Some(full)),
         };
         let stretched = turned(&state.displacement(), normal) + slip * half;
-        let (torque, slides) = grip.torque(&stretched, &slip);
+        let (mut torque, slides) = grip.torque(&stretched, &slip);
+        if D == 3 && slides && grip.damping == S::zero() {
+            let followed = grip.follow(&stretched, &(slip * (half + half)));
+            torque = followed * (norm(&torque) / norm(&followed));
+        }
         let held = if slides { (torque - slip * grip.dashpot) / grip.stiffness } else { stretched };
         state.drag(&(held + slip * half));
         let torque = torque * mean.share;

@@ -33,7 +33,7 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     }
     let impact = frame.impact(&a, &b);
     let response = ask(rule, &impact, context.effects, (i, Partner::grain(k)))?;
-    let outcome = respond(context, [i, k], &[a, b], (&frame, response))?;
+    let outcome = respond(context, rule, [i, k], (&[a, b], (&frame, response)))?;
     if let EventOutcome::Collision { restitution } = outcome {
         surface_collision::act(context, rule, || frame.touch([i, k], restitution));
     }
@@ -44,9 +44,9 @@ pub(super) fn collide<S: Scalar, const D: usize>(
 #[inline(always)]
 fn respond<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
     who: [usize; 2],
-    pair: &[Body<S, D>; 2],
-    (frame, response): (&ImpactFrame<S, D>, Response<S>),
+    (pair, (frame, response)): (&[Body<S, D>; 2], (&ImpactFrame<S, D>, Response<S>)),
 ) -> Result<EventOutcome<S>, Error> {
     let [restitution, duration] = match response {
         Response::Lasting(outcome) => [outcome.restitution, outcome.duration],
@@ -60,7 +60,7 @@ fn respond<S: Scalar, const D: usize>(
         rest::count_slow_collision(context, (i, a), pace),
         rest::count_slow_collision(context, (k, b), pace),
     ];
-    if is_slow && rest::pair_comes_to_rest(context, who, &pair, frame) {
+    if is_slow && rest::may_rest(rule) && rest::pair_comes_to_rest(context, who, &pair, frame) {
         return Ok(EventOutcome::CameToRest);
     }
     let [asleep, supported] = [Body::is_asleep, Body::is_supported].map(|is| pair.iter().any(is));

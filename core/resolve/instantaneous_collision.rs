@@ -10,6 +10,7 @@ use super::impact_frame::ImpactFrame;
 use super::support::BEFORE_LANDING;
 use super::{rest, wake};
 use crate::error::Error;
+use crate::law::Rule;
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, dot, max_abs, norm};
 
@@ -54,6 +55,7 @@ pub(super) fn collide<S: Scalar, const D: usize>(
 /// A reflection at plane `p`, that may move, with this speed of approach.
 pub(super) fn reflect<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
     (i, p): (usize, usize),
     body: &Body<S, D>,
     [speed, restitution]: [S; 2],
@@ -70,11 +72,13 @@ pub(super) fn reflect<S: Scalar, const D: usize>(
     if count >= STUCK_AFTER {
         return Err(stuck(context, i, Partner::plane(p), count));
     }
-    if rest::comes_to_rest_on(context, body, p, [speed * restitution, restitution, S::zero()]) {
+    let may_rest = rest::may_rest(rule);
+    let after = [speed * restitution, restitution, S::zero()];
+    if may_rest && rest::comes_to_rest_on(context, body, p, after) {
         return Ok(rest::lay_on_plane(context, i, body, p));
     }
-    let restitution =
-        final_restitution::<S, D>(context, restitution, (body.last_collision(), false), count);
+    let last = (body.last_collision(), is_slow && !may_rest);
+    let restitution = final_restitution::<S, D>(context, restitution, last, count);
     let away = (speed * restitution).max(S::zero());
     let mut change = normal * (speed + away);
     if dot(&normal, &(body.velocity + change)) < context.domain.plane_speed(p, context.now()) {

@@ -37,7 +37,7 @@ pub(super) fn collide<S: Scalar, const D: usize>(
         }
     };
     context.count(Incident::PlaneCollision);
-    let outcome = respond(context, (i, p), (&body, plane), (speed, response))?;
+    let outcome = respond(context, rule, (i, p), ((&body, plane), (speed, response)))?;
     if let EventOutcome::Collision { restitution } = outcome {
         let who = (i, Partner::plane(p));
         surface_collision::act(context, rule, || touch(who, plane, speed, restitution));
@@ -59,9 +59,9 @@ pub(super) fn touch<S: Scalar, const D: usize>(
 
 fn respond<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
+    rule: &impl Rule<S>,
     (i, p): (usize, usize),
-    (body, plane): (&Body<S, D>, &Plane<S, D>),
-    (speed, response): (S, Response<S>),
+    ((body, plane), (speed, response)): ((&Body<S, D>, &Plane<S, D>), (S, Response<S>)),
 ) -> Result<EventOutcome<S>, Error> {
     match response {
         Response::Lasting(outcome) => {
@@ -73,6 +73,7 @@ fn respond<S: Scalar, const D: usize>(
                 context.count(Incident::HardSphere);
                 return instantaneous_collision::reflect(
                     context,
+                    rule,
                     (i, p),
                     body,
                     [speed, outcome.restitution],
@@ -81,7 +82,7 @@ fn respond<S: Scalar, const D: usize>(
             Ok(contact_begin::begin_with_plane(context, (i, p), body, plane, (speed, &outcome)))
         }
         Response::Instantaneous(restitution) => {
-            instantaneous_collision::reflect(context, (i, p), body, [speed, restitution])
+            instantaneous_collision::reflect(context, rule, (i, p), body, [speed, restitution])
         }
         Response::Refused { .. } | Response::Overflow(_) => Ok(EventOutcome::Unchanged),
     }

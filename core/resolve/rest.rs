@@ -20,9 +20,17 @@ use super::support::{
     BEFORE_LANDING, BEFORE_SLEEP, carrier_velocity, coordinate_scale, effective_gravity,
     is_negligible, rounding_height, unsupported_part,
 };
+use crate::law::Rule;
 use crate::particle::Body;
 use crate::scalar::{Scalar, dot, norm, reject};
 use crate::space::flight;
+
+/// Whether grains come to rest by these rules. They know nothing of friction: rough grains go on in hops, elastic
+/// where those are shorter than t_c or [`super::support::min_hop_time`].
+#[inline(always)]
+pub(super) fn may_rest<S: Scalar>(rule: &impl Rule<S>) -> bool {
+    rule.inertia().is_none()
+}
 
 /// Whether a rebound with this speed under this weight is too low or too short to be one.
 fn is_rest<S: Scalar>(speed: S, weight: S, height: S, duration: S) -> bool {

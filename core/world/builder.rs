@@ -189,8 +189,8 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
         self
     }
 
-    /// In how many steps the shortest contact of a cluster is integrated: 32 by default, at least 8. The
-    /// error falls with the square of it. [`Enduring::Integrated`] only.
+    /// In how many steps the shortest contact of a cluster is integrated: 32 by default, at least 8, at most 131,072
+    /// (16,384 in fixed point). The error falls with the square of it. [`Enduring::Integrated`] only.
     #[must_use]
     pub fn steps_per_contact(mut self, steps: u32) -> Self {
         let set = self.set_steps_per_contact(steps);
@@ -286,7 +286,7 @@ impl<'m, S: Scalar, const D: usize, R: Rule<S>> WorldBuilder<'m, S, D, R> {
         check_scales::scales(&boundary, &self.gravity, (0, bodies))?;
         events.fill(ScheduledEvent::NONE);
         let settings = self.settings.adopted(&self.rule, &boundary, &self.gravity, bodies);
-        check_rotation::mode(&self.rule, &settings, &self.gravity)?;
+        check_rotation::mode(&self.rule, &settings)?;
         settings.try_law(&self.rule)?;
         if settings.is_integrated(&self.rule) {
             settings.check_contact_time(&self.gravity)?;

@@ -5,7 +5,7 @@ use crate::cluster::Settings;
 use crate::error::{Error, Subject};
 use crate::law::{Enduring, Rule};
 use crate::particle::Body;
-use crate::scalar::{Axial, Scalar, Vector, axes};
+use crate::scalar::{Axial, Scalar, axes};
 use crate::space::{ContactState, RotationBuffers};
 
 /// The places of these bodies, if the rule lets them rotate; nothing for smooth ones.
@@ -77,12 +77,8 @@ pub(super) fn saved<S: Scalar, const D: usize>(
     }
 }
 
-/// In the papers' mode nothing holds rough grains that lie, and no contact that lasts has friction.
-pub(super) fn mode<S: Scalar, const D: usize>(
-    rule: &impl Rule<S>,
-    settings: &Settings<S>,
-    gravity: &Vector<S, D>,
-) -> Result<(), Error> {
+/// In the papers' mode no contact that lasts has friction.
+pub(super) fn mode<S: Scalar>(rule: &impl Rule<S>, settings: &Settings<S>) -> Result<(), Error> {
     if settings.enduring != Enduring::Paper {
         return Ok(());
     }
@@ -90,17 +86,10 @@ pub(super) fn mode<S: Scalar, const D: usize>(
         let wanted = "one that a table knows in the papers' mode (Enduring::Integrated has all)";
         return Err(Error::input(Subject::Rule, "force law of one's own", 1.0, wanted));
     }
-    if rule.inertia().is_none() {
-        return Ok(());
-    }
-    if settings.has_forces {
+    if rule.inertia().is_some() && settings.has_forces {
         let wanted =
             "a rule without forces in the papers' mode (Enduring::Integrated has friction)";
         return Err(Error::input(Subject::Rule, "rough surfaces", 1.0, wanted));
     }
-    let wanted = "0 for rough grains in the papers' mode (Enduring::Integrated has friction)";
-    match gravity.iter().find(|g| **g != S::zero()) {
-        None => Ok(()),
-        Some(g) => Err(Error::input(Subject::World, "gravity", g.to_f64(), wanted)),
-    }
+    Ok(())
 }

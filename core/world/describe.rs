@@ -89,10 +89,11 @@ impl<S: Scalar, const D: usize, R> WorldBuilder<'_, S, D, R> {
     /// As [`WorldBuilder::steps_per_contact`].
     ///
     /// # Errors
-    /// [`Error::Input`] if it is not between 8 and 4096.
+    /// [`Error::Input`] if it is not between 8 and 131,072; in fixed point 16,384, so that its numbers hold it.
     pub fn set_steps_per_contact(&mut self, steps: u32) -> Result<(), Error> {
-        if !(8..=4096).contains(&steps) {
-            let (steps, wanted) = (f64::from(steps), "between 8 and 4096");
+        let most = if S::RANGE.is_some() { 16_384 } else { 131_072 };
+        if !(8..=most).contains(&steps) {
+            let (steps, wanted) = (f64::from(steps), "between 8 and 131072 (fixed point: 16384)");
             return Err(Error::input(Subject::World, "steps per contact", steps, wanted));
         }
         self.settings.steps = S::from_count(steps);

@@ -1,7 +1,7 @@
 //! What changes when gravity does? Reads and writes the whole state between events.
 
 use super::state::World;
-use super::{check_input, check_rotation, check_scales};
+use super::{check_input, check_scales};
 use crate::cluster;
 use crate::error::{Error, Subject};
 use crate::law::Rule;
@@ -23,7 +23,6 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             return Err(Error::input(Subject::World, "gravity", value, "a finite number"));
         }
         check_scales::gravity(&gravity, self.particles.largest_radius)?;
-        check_rotation::mode(&self.rule, &self.parameters.settings, &gravity)?;
         check_input::sheared(&self.domain.boundary, &gravity)?;
         if gravity == *self.domain.gravity() {
             return Ok(());

@@ -4,7 +4,7 @@ use crate::pair::{any_law, random, rough, seeded, spheres, two};
 use carom::law::{ByMaterial, HardSphere, Rough, Rule, Tangential};
 use carom::space::{Plane, Surface};
 use carom::world::Rotating;
-use carom::{Enduring, Error, Grain, Memory, World};
+use carom::{Error, Grain, Memory, World};
 
 type Vector = carom::Vector<f64, 3>;
 
@@ -201,17 +201,4 @@ fn memory_without_places_for_rotation_is_refused() {
     let started =
         World::builder(&mut memory).rule(rule).grain(Grain::with_mass(1.0, 1.0)).unwrap().start();
     assert!(started.err().unwrap().to_string().contains("angular velocity"));
-}
-
-#[test]
-fn the_papers_mode_has_no_friction_under_gravity() {
-    let mut memory = spheres(vec![[0.0; 3]]);
-    let started = World::builder(&mut memory)
-        .gravity([0.0, 0.0, -1.0])
-        .enduring(Enduring::Paper)
-        .rule(rough(0.5, Tangential::Constant { beta: 0.0 }))
-        .grain(Grain::with_mass(1.0, 1.0))
-        .unwrap()
-        .start();
-    assert!(started.err().unwrap().to_string().contains("gravity"));
 }

@@ -145,7 +145,7 @@ fn random_impacts_are_those_of_the_reference() {
     for (is_linear, seed) in [(true, 7), (false, 8)] {
         let [coarse, fine] = [64, 512].map(|steps| all(seed, 100, is_linear, integrated(steps)));
         println!("{:e} {:e} {:e} {:e}", coarse[50], coarse[99], fine[50], fine[99]);
-        assert!(coarse[99] < 1e-3 && fine[99] < 2e-5, "{:e} {:e}", coarse[99], fine[99]);
+        assert!(coarse[99] < 5e-4 && fine[99] < 1e-5, "{:e} {:e}", coarse[99], fine[99]);
         assert!(coarse[50] / fine[50] > 25.0);
     }
 }
@@ -157,7 +157,18 @@ fn ten_thousand_impacts_of_each_law_are_those_of_the_reference() {
         let differences = all(9, 10_000, is_linear, integrated(2048));
         let [median, most] = [5000, 9999].map(|k| differences[k]);
         println!("{median:e} {most:e}");
-        assert!(median < 1e-6 && most < 1e-4, "{median:e} {most:e}");
+        assert!(median < 3e-7 && most < 3e-6, "{median:e} {most:e}");
+    }
+}
+
+#[test]
+#[ignore = "minutes: run in release"]
+fn in_131_072_steps_impacts_are_those_of_the_reference_to_nine_digits() {
+    for is_linear in [true, false] {
+        let differences = all(10, 500, is_linear, integrated(131_072));
+        let [median, most] = [250, 499].map(|k| differences[k]);
+        println!("{median:e} {most:e}");
+        assert!(median < 3e-10 && most < 2e-9, "{median:e} {most:e}");
     }
 }
 

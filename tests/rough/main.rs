@@ -3,6 +3,7 @@
 mod bird;
 mod cooling;
 mod friction;
+mod hops;
 mod impact;
 mod judge;
 mod kept;

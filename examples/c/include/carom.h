@@ -354,7 +354,7 @@ carom_error carom_2d_f32_set_gravity(struct carom_world_2d_f32 *world, const flo
 // How long slow contacts of hard grains last; by default a sixteenth of the square root of R / g.
 carom_error carom_2d_f32_set_contact_time(struct carom_world_2d_f32 *world, float time);
 
-// In how many steps the shortest contact of several grains is integrated: from 8 to 4096, by default 32.
+// In how many steps the shortest contact of several grains is integrated: from 8 to 131072, by default 32.
 carom_error carom_2d_f32_set_steps_per_contact(struct carom_world_2d_f32 *world, uint32_t steps);
 
 // CAROM_MODE_INTEGRATED, the default, or CAROM_MODE_PAPER, if the library has it.
@@ -527,7 +527,7 @@ carom_error carom_2d_f64_set_gravity(struct carom_world_2d_f64 *world, const dou
 // How long slow contacts of hard grains last; by default a sixteenth of the square root of R / g.
 carom_error carom_2d_f64_set_contact_time(struct carom_world_2d_f64 *world, double time);
 
-// In how many steps the shortest contact of several grains is integrated: from 8 to 4096, by default 32.
+// In how many steps the shortest contact of several grains is integrated: from 8 to 131072, by default 32.
 carom_error carom_2d_f64_set_steps_per_contact(struct carom_world_2d_f64 *world, uint32_t steps);
 
 // CAROM_MODE_INTEGRATED, the default, or CAROM_MODE_PAPER, if the library has it.
@@ -700,7 +700,7 @@ carom_error carom_3d_f64_set_gravity(struct carom_world_3d_f64 *world, const dou
 // How long slow contacts of hard grains last; by default a sixteenth of the square root of R / g.
 carom_error carom_3d_f64_set_contact_time(struct carom_world_3d_f64 *world, double time);
 
-// In how many steps the shortest contact of several grains is integrated: from 8 to 4096, by default 32.
+// In how many steps the shortest contact of several grains is integrated: from 8 to 131072, by default 32.
 carom_error carom_3d_f64_set_steps_per_contact(struct carom_world_3d_f64 *world, uint32_t steps);
 
 // CAROM_MODE_INTEGRATED, the default, or CAROM_MODE_PAPER, if the library has it.

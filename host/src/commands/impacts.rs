@@ -96,7 +96,7 @@ impl Options {
 pub fn run(file: impl Read, name: &str, options: &Options) -> Result<()> {
     let surfaces = options.surfaces()?;
     let steps = options.steps.unwrap_or(512);
-    ensure!((8..=4096).contains(&steps), "--steps {steps}: from 8 to 4096 would be right");
+    ensure!((8..=131_072).contains(&steps), "--steps {steps}: from 8 to 131072 would be right");
     let cases = impacts::read(file).with_context(|| name.to_owned())?;
     let answer = |case: &Case| -> Result<Both> {
         let engine = impacts::by_engine(case, surfaces.as_ref(), steps)?;

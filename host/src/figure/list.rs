@@ -127,6 +127,11 @@ const OURS: &[Entry] = &[
         "how grains flow in a shaken layer of disks, by MD and event by event",
         waves::flow::make
     ),
+    entry!(
+        "patterns",
+        "squares and stripes on a shaken layer of rough spheres, against Bizon et al.",
+        waves::patterns::make
+    ),
     entry!("drum", "the slope in a drum of rough disks that turns, against μ", walls::drum::make),
     entry!(
         "hopper",

@@ -160,7 +160,7 @@ macro_rules! describe {
                 unsafe { on::<$s, $d, _>(world, |held| held.set_contact_time(time)) }
             }
 
-            /// In how many steps the shortest contact of several grains is integrated: from 8 to 4096, by default 32.
+            /// In how many steps the shortest contact of several grains is integrated: from 8 to 131072, by default 32.
             #[unsafe(no_mangle)]
             pub unsafe extern "C" fn [<carom $kind _set_steps_per_contact>](
                 world: *mut [<carom_world $kind>],

@@ -3,4 +3,5 @@
 pub mod faraday;
 pub mod flow;
 pub mod modes;
+pub mod patterns;
 pub mod shaken_disks;

@@ -1,0 +1,152 @@
+//! Which patterns are on a shaken layer, squares or stripes? Shakes two layers of rough spheres; writes their surfaces and how waves grow.
+
+mod layer;
+mod picture;
+mod surface;
+
+pub use layer::{FILLING, Layer, PHASES};
+pub use surface::{Surface, Wave};
+
+use crate::figure::data::{Figure, Made, Note, Options, Series};
+use crate::progress::Progress;
+use anyhow::Result;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// The layers of the figure, and how many cycles of each. Sides are about one and two wavelengths of the experiment's
+/// fit: 39 d and 23 d (see the figure `faraday`).
+const LAYERS: [(Layer, usize); 2] = [
+    (Layer { side: 40.0, frequency: 0.27, agitation: 3.0, seed: 1 }, 32),
+    (Layer { side: 46.0, frequency: 0.44, agitation: 3.0, seed: 1 }, 40),
+];
+/// Cycles over which means are taken.
+const LAST: usize = 8;
+
+/// The surfaces of a layer, cycle by cycle.
+#[derive(Clone, Debug)]
+pub struct Course {
+    /// Of which layer.
+    pub layer: Layer,
+    cycles: Vec<[Surface; PHASES]>,
+}
+
+/// What is on a surface in the end: its highest wave, and the same wave turned by a right angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pattern {
+    /// The phase of the cycle at which it is highest.
+    pub phase: usize,
+    /// The two waves.
+    pub waves: [Wave; 2],
+}
+
+impl Course {
+    /// Shakes a layer for so many cycles.
+    ///
+    /// # Errors
+    /// An error of the engine.
+    pub fn run(layer: Layer, cycles: usize, mut passed: impl FnMut()) -> Result<Self> {
+        let mut seen = Vec::with_capacity(cycles);
+        layer.run(cycles, |surfaces| {
+            seen.push(surfaces);
+            passed();
+        })?;
+        Ok(Self { layer, cycles: seen })
+    }
+
+    /// The mean surface at this phase, each cycle with its sign: only what changes sign in every cycle is left.
+    fn changing(&self, phase: usize, cycles: Range<usize>) -> Surface {
+        let mut mean = Surface::default();
+        let share = 1.0 / cycles.len() as f64;
+        for cycle in cycles {
+            mean.add(&self.cycles[cycle][phase], if cycle % 2 == 0 { share } else { -share });
+        }
+        mean
+    }
+
+    /// What is on the surface in the last eight cycles; a course of fewer has nothing.
+    pub fn pattern(&self) -> Pattern {
+        let end = self.cycles.len();
+        let one = |phase| {
+            let surface = self.changing(phase, end.saturating_sub(LAST)..end);
+            let highest = surface.waves().first().copied().unwrap_or_default();
+            Pattern { phase, waves: [highest, surface.wave(highest.across())] }
+        };
+        let patterns = (0..PHASES).map(one);
+        let height = |pattern: &Pattern| pattern.waves[0].amplitude;
+        let highest = patterns.max_by(|a, b| height(a).total_cmp(&height(b)));
+        highest.unwrap_or(Pattern { phase: 0, waves: [Wave::default(); 2] })
+    }
+
+    /// How a wave grows: its amplitude over eight cycles after the other.
+    fn growth(&self, phase: usize, wave: Wave) -> Vec<[f64; 2]> {
+        let ends = (LAST..=self.cycles.len()).step_by(LAST / 2);
+        let one = |end| {
+            let surface = self.changing(phase, end - LAST..end);
+            [end as f64, surface.wave(wave.numbers).amplitude]
+        };
+        ends.map(one).collect()
+    }
+
+    /// Its surface in the last cycle.
+    fn last(&self, phase: usize) -> Surface {
+        self.cycles.last().map_or_else(Surface::default, |surfaces| surfaces[phase].clone())
+    }
+}
+
+impl Pattern {
+    /// The lower wave over the higher one: 1 in squares, 0 in stripes.
+    pub fn squareness(&self) -> f64 {
+        self.waves[1].amplitude / self.waves[0].amplitude
+    }
+
+    fn name(&self) -> &'static str {
+        match self.squareness() {
+            ratio if ratio > 0.6 => "squares",
+            ratio if ratio < 0.4 => "stripes",
+            _ => "neither",
+        }
+    }
+}
+
+/// Makes the figure.
+///
+/// # Errors
+/// An error of the engine.
+pub fn make(_: &Options) -> Result<Made> {
+    let all = LAYERS.iter().map(|(_, cycles)| *cycles as u64).sum();
+    let progress = Progress::new("patterns", all);
+    let one = |(layer, cycles): &(Layer, usize)| Course::run(*layer, *cycles, || progress.add(1));
+    let courses: Vec<Course> = LAYERS.par_iter().map(one).collect::<Result<_>>()?;
+    let found: Vec<(Course, Pattern)> =
+        courses.into_iter().map(|c| (c.clone(), c.pattern())).collect();
+    let figure = figure(&found);
+    let picture = picture::draw(&found);
+    let notes = found.iter().zip(["squares", "stripes"]).flat_map(notes).collect();
+    Ok(Made { figure, picture, notes })
+}
+
+fn figure(found: &[(Course, Pattern)]) -> Figure {
+    let mut figure = Figure::new("patterns", ["cycles", "half height of a wave (d)"]);
+    for (course, pattern) in found {
+        for (wave, which) in pattern.waves.iter().zip(["the highest", "across it"]) {
+            let frequency = course.layer.frequency;
+            let name = format!("f* = {frequency}: {which}");
+            let mut series = Series::new(name).param("f*", frequency).param("wave", which);
+            for [cycle, amplitude] in course.growth(pattern.phase, *wave) {
+                series.push(cycle, amplitude);
+            }
+            figure = figure.with(series);
+        }
+    }
+    figure
+}
+
+fn notes(((course, pattern), paper): (&(Course, Pattern), &str)) -> [Note; 2] {
+    let at = format!("f* = {}", course.layer.frequency);
+    let [highest, across] = pattern.waves.map(|wave| wave.amplitude);
+    let height = format!("{highest:.2} d, {across:.2} d");
+    [
+        Note::new(format!("{at}: pattern"), paper, pattern.name()),
+        Note::new(format!("{at}: half heights of the two waves"), "not given", height),
+    ]
+}
