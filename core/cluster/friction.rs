@@ -123,6 +123,7 @@ impl<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>> Forces<'_, '_, S,
         };
         let stretched = turned(&state.displacement(), normal) + slip * half;
         let (mut torque, slides) = grip.torque(&stretched, &slip);
+        // In two dimensions a spring has nowhere to turn; a dashpot's error hides that of its direction.
         if D == 3 && slides && grip.damping == S::zero() {
             let followed = grip.follow(&stretched, &(slip * (half + half)));
             torque = followed * (norm(&torque) / norm(&followed));

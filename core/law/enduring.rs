@@ -6,7 +6,7 @@
 #[non_exhaustive]
 pub enum Enduring {
     /// As in the papers: a contact is an event (L94, BSFP14) or a pair's own affair (MP13), whatever else
-    /// touches the two; grains come to rest by rules of their own. Figures of the papers need it.
+    /// touches the two; grains come to rest by rules of their own, rough ones hop on. Figures of the papers need it.
     Paper,
     /// Contacts of more than two, and those in which gravity decides, are integrated under the same force
     /// law; what has come to rest sleeps.

@@ -9,7 +9,7 @@
 //!   64 slow collisions in a row, is itself slow and is supported by such as it. A pile comes to rest as
 //!   one; what it weighs on its neighbours is taken by them as by static friction.
 //!
-//! What lets them go is in [`super::wake`].
+//! What lets them go is in [`super::wake`]. All this is for smooth grains: rough ones hop on.
 //! Slow is a speed that gravity takes away within the contact duration (of a soft law or t_c), or
 //! within the hop time of [`super::support::min_hop_time`].
 

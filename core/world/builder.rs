@@ -155,7 +155,8 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     /// A real contact lasts t_c; grains that meet more often than that are in lasting contact, and
     /// lose no more energy by it. [`Enduring::Paper`] only: else forces take over, see
     /// [`WorldBuilder::contact_time`]. It also says when a hop is too short to be one: a grain that would
-    /// be back within t_c lies still. Soft laws have their own contact duration and do not need it.
+    /// be back within t_c lies still (a rough one goes on hopping). Soft laws have their own contact duration and
+    /// do not need it.
     ///
     /// # Units
     /// Time; at least zero.

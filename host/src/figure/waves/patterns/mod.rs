@@ -13,10 +13,10 @@ use anyhow::Result;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// The layers of the figure, and how many cycles of each. Sides are about one and two wavelengths of the experiment's
-/// fit: 39 d and 23 d (see the figure `faraday`).
+/// The layers of the figure, and how many cycles of each. Sides are about one and two wavelengths: those of the
+/// experiment's fit are 39 d and 23 d, and as in the figure `faraday` squares like to be an eighth shorter.
 const LAYERS: [(Layer, usize); 2] = [
-    (Layer { side: 40.0, frequency: 0.27, agitation: 3.0, seed: 1 }, 32),
+    (Layer { side: 33.0, frequency: 0.27, agitation: 3.0, seed: 1 }, 56),
     (Layer { side: 46.0, frequency: 0.44, agitation: 3.0, seed: 1 }, 40),
 ];
 /// Cycles over which means are taken.
