@@ -65,8 +65,9 @@ impl<S: Scalar> Grip<S> {
     }
 
     /// Where surfaces slide on, the spring turns towards where they slide. It has come `way` since the middle of the last
-    /// step, where it was held to r_0 = |s_0|, and is held to r_1 now. Cut at once, s_0 + `way` would turn too little,
-    /// to first order in `way`; its part along s_0 counts by half, and by all of it where it is long.
+    /// step, where it was held to r_0 = |s_0|, and is held to r_1 now. Were s_0 + `way` simply cut, the angle by which it
+    /// turns would be off by an order in `way`/r; so the part of `way` along s_0 counts by half, and by all of it where
+    /// it is long.
     fn follow(&self, displacement: &Axial<S>, way: &Axial<S>) -> Axial<S> {
         let Some(most) = self.most else { return *displacement };
         let before = *displacement - *way;
@@ -126,7 +127,10 @@ impl<S: Scalar, const D: usize, R: Rule<S>, O: Receiver<S, D>> Forces<'_, '_, S,
         // In two dimensions a spring has nowhere to turn; a dashpot's error hides that of its direction.
         if D == 3 && slides && grip.damping == S::zero() {
             let followed = grip.follow(&stretched, &(slip * (half + half)));
-            torque = followed * (norm(&torque) / norm(&followed));
+            let long = norm(&followed);
+            if long > S::zero() {
+                torque = followed * (norm(&torque) / long);
+            }
         }
         let held = if slides { (torque - slip * grip.dashpot) / grip.stiffness } else { stretched };
         state.drag(&(held + slip * half));

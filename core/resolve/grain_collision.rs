@@ -33,7 +33,7 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     }
     let impact = frame.impact(&a, &b);
     let response = ask(rule, &impact, context.effects, (i, Partner::grain(k)))?;
-    let outcome = respond(context, rule, [i, k], (&[a, b], (&frame, response)))?;
+    let outcome = respond(context, rule, [i, k], &[a, b], (&frame, response))?;
     if let EventOutcome::Collision { restitution } = outcome {
         surface_collision::act(context, rule, || frame.touch([i, k], restitution));
     }
@@ -46,7 +46,8 @@ fn respond<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     rule: &impl Rule<S>,
     who: [usize; 2],
-    (pair, (frame, response)): (&[Body<S, D>; 2], (&ImpactFrame<S, D>, Response<S>)),
+    pair: &[Body<S, D>; 2],
+    (frame, response): (&ImpactFrame<S, D>, Response<S>),
 ) -> Result<EventOutcome<S>, Error> {
     let [restitution, duration] = match response {
         Response::Lasting(outcome) => [outcome.restitution, outcome.duration],

@@ -10,7 +10,6 @@ use super::impact_frame::ImpactFrame;
 use super::support::BEFORE_LANDING;
 use super::{rest, wake};
 use crate::error::Error;
-use crate::law::Rule;
 use crate::particle::{Body, Partner};
 use crate::scalar::{Scalar, Vector, dot, max_abs, norm};
 
@@ -36,7 +35,8 @@ pub(super) fn collide<S: Scalar, const D: usize>(
     let [x, y] = [a, b].map(|body| count_with_this(context, body, speed, is_slow));
     let last = a.last_collision().max(b.last_collision());
     let lossy = restitution < S::one();
-    let restitution = final_restitution::<S, D>(context, restitution, (last, is_slow), x.max(y));
+    let hop = if is_slow { context.parameters.min_hop_time } else { S::zero() };
+    let restitution = final_restitution::<S, D>(context, restitution, (last, hop), x.max(y));
     // Hops that lose nothing only because they are slow may end on an elastic plane, too.
     let is_hopping = is_slow && lossy && restitution == S::one();
     let [x, y] = [x, y].map(|n| if is_hopping { n.max(BEFORE_LANDING) } else { n });
@@ -55,9 +55,8 @@ pub(super) fn collide<S: Scalar, const D: usize>(
 /// A reflection at plane `p`, that may move, with this speed of approach.
 pub(super) fn reflect<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
-    rule: &impl Rule<S>,
     (i, p): (usize, usize),
-    body: &Body<S, D>,
+    (body, may_rest): (&Body<S, D>, bool),
     [speed, restitution]: [S; 2],
 ) -> Result<EventOutcome<S>, Error> {
     let Some(plane) = context.domain.boundary.planes().get(p) else {
@@ -72,12 +71,12 @@ pub(super) fn reflect<S: Scalar, const D: usize>(
     if count >= STUCK_AFTER {
         return Err(stuck(context, i, Partner::plane(p), count));
     }
-    let may_rest = rest::may_rest(rule);
     let after = [speed * restitution, restitution, S::zero()];
     if may_rest && rest::comes_to_rest_on(context, body, p, after) {
         return Ok(rest::lay_on_plane(context, i, body, p));
     }
-    let last = (body.last_collision(), is_slow && !may_rest);
+    let hop = if may_rest { S::zero() } else { rest::short_hop(context, body, p, speed) };
+    let last = (body.last_collision(), hop);
     let restitution = final_restitution::<S, D>(context, restitution, last, count);
     let away = (speed * restitution).max(S::zero());
     let mut change = normal * (speed + away);
@@ -118,17 +117,14 @@ fn count_with_this<S: Scalar, const D: usize>(
     (body.consecutive_collisions + 1).min(STUCK_AFTER)
 }
 
-/// The coefficient of restitution after both rules.
+/// The coefficient of restitution after both rules, the first of them for a hop that is too short to be one, too.
 fn final_restitution<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
     restitution: S,
-    (last, is_slow): (S, bool),
+    (last, hop): (S, S),
     count: u16,
 ) -> S {
-    let mut t_c = context.parameters.t_c;
-    if is_slow {
-        t_c = t_c.max(context.parameters.min_hop_time);
-    }
+    let t_c = context.parameters.t_c.max(hop);
     let soon = last > -S::NEVER && context.now() - last < t_c;
     let endless = count >= max_consecutive::<D>();
     if restitution < S::one() && (soon || endless) {

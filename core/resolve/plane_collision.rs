@@ -37,7 +37,8 @@ pub(super) fn collide<S: Scalar, const D: usize>(
         }
     };
     context.count(Incident::PlaneCollision);
-    let outcome = respond(context, rule, (i, p), ((&body, plane), (speed, response)))?;
+    let outcome =
+        respond(context, (i, p), (&body, plane, rest::may_rest(rule)), (speed, response))?;
     if let EventOutcome::Collision { restitution } = outcome {
         let who = (i, Partner::plane(p));
         surface_collision::act(context, rule, || touch(who, plane, speed, restitution));
@@ -59,31 +60,33 @@ pub(super) fn touch<S: Scalar, const D: usize>(
 
 fn respond<S: Scalar, const D: usize>(
     context: &mut Context<'_, '_, S, D>,
-    rule: &impl Rule<S>,
     (i, p): (usize, usize),
-    ((body, plane), (speed, response)): ((&Body<S, D>, &Plane<S, D>), (S, Response<S>)),
+    (body, plane, may_rest): (&Body<S, D>, &Plane<S, D>, bool),
+    (speed, response): (S, Response<S>),
 ) -> Result<EventOutcome<S>, Error> {
     match response {
         Response::Lasting(outcome) => {
             let after = [speed * outcome.restitution, outcome.restitution, outcome.duration];
-            if rest::comes_to_rest_on(context, body, p, after) {
+            if may_rest && rest::comes_to_rest_on(context, body, p, after) {
                 return Ok(rest::lay_on_plane(context, i, body, p));
             }
             if contact_begin::is_pulled_off(context, body, plane, outcome.duration) {
                 context.count(Incident::HardSphere);
                 return instantaneous_collision::reflect(
                     context,
-                    rule,
                     (i, p),
-                    body,
+                    (body, may_rest),
                     [speed, outcome.restitution],
                 );
             }
             Ok(contact_begin::begin_with_plane(context, (i, p), body, plane, (speed, &outcome)))
         }
-        Response::Instantaneous(restitution) => {
-            instantaneous_collision::reflect(context, rule, (i, p), body, [speed, restitution])
-        }
+        Response::Instantaneous(restitution) => instantaneous_collision::reflect(
+            context,
+            (i, p),
+            (body, may_rest),
+            [speed, restitution],
+        ),
         Response::Refused { .. } | Response::Overflow(_) => Ok(EventOutcome::Unchanged),
     }
 }

@@ -18,7 +18,7 @@ use super::effects::{EventOutcome, Incident};
 use super::impact_frame::ImpactFrame;
 use super::support::{
     BEFORE_LANDING, BEFORE_SLEEP, carrier_velocity, coordinate_scale, effective_gravity,
-    is_negligible, rounding_height, unsupported_part,
+    is_negligible, min_hop_time, rounding_height, unsupported_part,
 };
 use crate::law::Rule;
 use crate::particle::Body;
@@ -26,7 +26,7 @@ use crate::scalar::{Scalar, dot, norm, reject};
 use crate::space::flight;
 
 /// Whether grains come to rest by these rules. They know nothing of friction: rough grains go on in hops, elastic
-/// where those are shorter than t_c or [`super::support::min_hop_time`].
+/// along the normal where those are shorter than t_c or [`min_hop_time`].
 #[inline(always)]
 pub(super) fn may_rest<S: Scalar>(rule: &impl Rule<S>) -> bool {
     rule.inertia().is_none()
@@ -54,6 +54,22 @@ pub(super) fn comes_to_rest_on<S: Scalar, const D: usize>(
     let hop = if hopping { context.parameters.min_hop_time } else { S::zero() };
     let duration = duration.max(context.parameters.t_c).max(hop);
     lossy && is_rest(speed, weight, rounding_height(coordinate_scale(body)), duration)
+}
+
+/// How long a hop of a rough grain is on plane `p` that is too short to be one, if this one is; else zero.
+///
+/// It is (R/g)^½/64, g what presses the grain onto the plane: the weight on a plate that accelerates.
+pub(super) fn short_hop<S: Scalar, const D: usize>(
+    context: &Context<'_, '_, S, D>,
+    body: &Body<S, D>,
+    p: usize,
+    speed: S,
+) -> S {
+    let Some(plane) = context.domain.boundary.planes().get(p) else { return S::zero() };
+    let pull = dot(&plane.normal, context.domain.gravity());
+    let weight = plane.motion(context.now()).acceleration - pull;
+    let hop = min_hop_time::<S, D>(&(plane.normal * weight), body.radius);
+    if weight > S::zero() && speed + speed <= weight * hop { hop } else { S::zero() }
 }
 
 /// Lays a grain onto plane `p`: it has the plane's speed along the normal, and keeps what is across.

@@ -191,7 +191,8 @@ impl<'m, S: Scalar, const D: usize, R> WorldBuilder<'m, S, D, R> {
     }
 
     /// In how many steps the shortest contact of a cluster is integrated: 32 by default, at least 8, at most 131,072
-    /// (16,384 in fixed point). The error falls with the square of it. [`Enduring::Integrated`] only.
+    /// (16,384 in fixed point). The error falls with the square of it, until a step is four times the resolution of the
+    /// number. [`Enduring::Integrated`] only.
     #[must_use]
     pub fn steps_per_contact(mut self, steps: u32) -> Self {
         let set = self.set_steps_per_contact(steps);

@@ -1,8 +1,7 @@
 //! What may a user change of a grain between events? Its velocity, and whether it is there; reads and writes the grain, its contact and who lies on it.
 
-use super::check_input;
-use super::check_scales;
 use super::state::World;
+use super::{check_input, check_rotation, check_scales};
 use crate::cluster;
 use crate::detect::ScheduledEvent;
 use crate::error::{Error, Subject};
@@ -86,9 +85,11 @@ impl<S: Scalar, const D: usize, R: Rule<S>> World<'_, S, D, R> {
             (self.particles.bodies, &self.domain.boundary),
         );
         let fits = settings.sight() == self.parameters.settings.sight();
-        if free.is_err() || !fits {
+        let suits = check_rotation::mode(&self.rule, &settings);
+        if free.is_err() || suits.is_err() || !fits {
             self.particles.vacate(place, self.clock.now);
             free?;
+            suits?;
             let wanted = "one whose contacts last or do not, as those of all grains at the start";
             let material = f64::from(grain.material);
             return Err(Error::input(Subject::Grain(place), "material", material, wanted));

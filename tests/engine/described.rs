@@ -59,7 +59,10 @@ fn what_is_refused_leaves_no_trace_and_a_check_neither() {
     calls.set_gravity([0.0, -0.2]).unwrap();
     assert!(is_input(calls.set_contact_time(0.0)));
     calls.set_contact_time(0.01).unwrap();
-    assert!(is_input(calls.set_steps_per_contact(7)));
+    for steps in [0, 7, 131_073, u32::MAX] {
+        assert!(is_input(calls.set_steps_per_contact(steps)));
+    }
+    calls.set_steps_per_contact(131_072).unwrap();
     calls.set_steps_per_contact(16).unwrap();
     let negative = LinearDashpot { stiffness: -1.0, damping: 0.0 };
     assert!(is_input(calls.set_rule(Soft::linear_dashpot(negative, Outside::Reject))));

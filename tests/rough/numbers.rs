@@ -1,7 +1,7 @@
-//! Do rough grains work in every number type, and is left and right the same to them? Rolling balls in four types; mirrored and permuted worlds.
+//! Do rough grains work in every number type, and is left and right the same to them? Balls in four types; mirrored and permuted worlds.
 
 use crate::pair::{random, rough, seeded, spheres};
-use carom::law::{HardSphere, Rough, Tangential};
+use carom::law::{HardSphere, Integrated, Rough, Tangential, WaltonBraun};
 use carom::scalar::{I16F16, I32F32};
 use carom::space::{ContactState, Plane, Surface};
 use carom::world::{Rotating, WithContacts};
@@ -44,6 +44,49 @@ fn a_ball_rolls_in_every_number_type() {
     for (number, [speed, spin], near) in balls {
         assert!((speed - 5.0 / 7.0).abs() < near, "{number}: {speed}");
         assert!((spin + 5.0 / 7.0).abs() < near, "{number}: {spin}");
+    }
+}
+
+/// Velocity and rotation about x and y of a sphere on a soft floor that was set down sliding and spinning, so that it
+/// slides in ever other directions before it rolls; and whether so many steps a contact, and one more, are taken.
+fn slides<S: Scalar>(steps: u32) -> ([[f64; 2]; 2], [bool; 2]) {
+    let of = S::from_f64;
+    let law = WaltonBraun { loading: of(400.0), unloading: of(600.0) };
+    let friction = Tangential::Spring { mu: of(0.25), stiffness: of(100.0), damping: of(0.0) };
+    let memory = WithContacts::new(Memory::<S, 3, 1>::new(), [ContactState::VACANT; 2]);
+    let spin = [of(2.0), of(0.5), S::zero()];
+    let mut memory = Rotating::new(memory, [[spin], [[S::zero(); 3]], [[S::zero(); 3]]]);
+    let sphere = Grain::with_mass(S::one(), S::one()).at([S::zero(), S::zero(), S::one()]);
+    let mut builder = World::builder(&mut memory)
+        .plane(Plane::new([S::zero(), S::zero(), S::one()], S::zero(), Surface::Rule))
+        .gravity([S::zero(), S::zero(), of(-2.0)])
+        .rule(Rough::spheres(Integrated(law), friction))
+        .grain(sphere.moving([S::one(), S::zero(), S::zero()]))
+        .unwrap();
+    let most = [steps, steps + 1].map(|steps| builder.set_steps_per_contact(steps).is_ok());
+    let mut world = builder.steps_per_contact(32).start().unwrap();
+    world.advance_to(2.0).unwrap();
+    let velocity = world.grain(0).unwrap().velocity;
+    let spin = world.view().angular_velocity(0).unwrap();
+    ([[velocity[0], velocity[1]], [spin[0], spin[1]]].map(|both| both.map(S::to_f64)), most)
+}
+
+#[test]
+fn a_sphere_slides_and_rolls_in_every_number_type() {
+    let [float, fixed] = [131_072, 16_384];
+    let spheres = [
+        ("f64", slides::<f64>(float), 0.01),
+        ("f32", slides::<f32>(float), 0.01),
+        ("I32F32", slides::<I32F32>(fixed), 0.01),
+        ("I16F16", slides::<I16F16>(fixed), 0.05),
+    ];
+    for (number, ([[x, y], [about_x, about_y]], most), near) in spheres {
+        // The angular momentum about the contact is kept.
+        assert!((x + 0.4 * about_y - (1.0 + 0.4 * 0.5)).abs() < near, "{number}: {x} {about_y}");
+        assert!((y - 0.4 * about_x + 0.4 * 2.0).abs() < near, "{number}: {y} {about_x}");
+        // It rolls, though the spring swings.
+        assert!((x - about_y).abs() < 0.15 && (y + about_x).abs() < 0.15, "{number}: {x} {y}");
+        assert_eq!(most, [true, false], "{number}");
     }
 }
 

@@ -30,13 +30,15 @@ pub struct Course {
     cycles: Vec<[Surface; PHASES]>,
 }
 
-/// What is on a surface in the end: its highest wave, and the same wave turned by a right angle.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// What is on a surface in the end: its highest wave, the same wave turned by a right angle, and the highest other one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pattern {
     /// The phase of the cycle at which it is highest.
     pub phase: usize,
-    /// The two waves.
+    /// The first two waves.
     pub waves: [Wave; 2],
+    /// The third one.
+    pub other: Wave,
 }
 
 impl Course {
@@ -68,13 +70,17 @@ impl Course {
         let end = self.cycles.len();
         let one = |phase| {
             let surface = self.changing(phase, end.saturating_sub(LAST)..end);
-            let highest = surface.waves().first().copied().unwrap_or_default();
-            Pattern { phase, waves: [highest, surface.wave(highest.across())] }
+            let all = surface.waves();
+            let highest = all.first().copied().unwrap_or_default();
+            let across = surface.wave(highest.across());
+            let is_other = |wave: &&Wave| ![highest, across].iter().any(|one| one.is(wave));
+            let other = all.iter().find(is_other).copied().unwrap_or_default();
+            Pattern { phase, waves: [highest, across], other }
         };
         let patterns = (0..PHASES).map(one);
         let height = |pattern: &Pattern| pattern.waves[0].amplitude;
         let highest = patterns.max_by(|a, b| height(a).total_cmp(&height(b)));
-        highest.unwrap_or(Pattern { phase: 0, waves: [Wave::default(); 2] })
+        highest.unwrap_or_default()
     }
 
     /// How a wave grows: its amplitude over eight cycles after the other.
@@ -94,15 +100,17 @@ impl Course {
 }
 
 impl Pattern {
-    /// The lower wave over the higher one: 1 in squares, 0 in stripes.
-    pub fn squareness(&self) -> f64 {
-        self.waves[1].amplitude / self.waves[0].amplitude
+    /// The wave across the highest one, and the highest other one, over the highest: 1 and 0 in squares, 0 and 0 in
+    /// stripes, 0 and 1 in hexagons.
+    pub fn ratios(&self) -> [f64; 2] {
+        let [highest, across] = self.waves;
+        [across, self.other].map(|wave| wave.amplitude / highest.amplitude)
     }
 
     fn name(&self) -> &'static str {
-        match self.squareness() {
-            ratio if ratio > 0.6 => "squares",
-            ratio if ratio < 0.4 => "stripes",
+        match self.ratios() {
+            [across, other] if across > 0.6 && other < 0.4 => "squares",
+            [across, other] if across.max(other) < 0.4 => "stripes",
             _ => "neither",
         }
     }
@@ -143,10 +151,11 @@ fn figure(found: &[(Course, Pattern)]) -> Figure {
 
 fn notes(((course, pattern), paper): (&(Course, Pattern), &str)) -> [Note; 2] {
     let at = format!("f* = {}", course.layer.frequency);
-    let [highest, across] = pattern.waves.map(|wave| wave.amplitude);
-    let height = format!("{highest:.2} d, {across:.2} d");
+    let [first, second] = pattern.waves;
+    let [highest, across, other] = [first, second, pattern.other].map(|wave| wave.amplitude);
+    let heights = format!("{highest:.2} d, {across:.2} d, {other:.2} d");
     [
         Note::new(format!("{at}: pattern"), paper, pattern.name()),
-        Note::new(format!("{at}: half heights of the two waves"), "not given", height),
+        Note::new(format!("{at}: half heights of three waves"), "not given", heights),
     ]
 }

@@ -25,6 +25,11 @@ impl Wave {
     pub fn across(&self) -> [i32; 2] {
         [-self.numbers[1], self.numbers[0]]
     }
+
+    /// Whether it is this one, which may be counted the other way.
+    pub fn is(&self, other: &Self) -> bool {
+        self.numbers == other.numbers || self.numbers == other.numbers.map(|n| -n)
+    }
 }
 
 impl Surface {
@@ -91,6 +96,8 @@ mod tests {
         assert!((waves[0].amplitude - 2.0).abs() < 1e-12, "{waves:?}");
         assert!((waves[1].amplitude - 0.5).abs() < 1e-12, "{waves:?}");
         assert_eq!(waves[0].across(), [0, 2]);
+        let [there, back] = [[1, -2], [-1, 2]].map(|numbers| Wave { numbers, amplitude: 1.0 });
+        assert!(there.is(&back) && !there.is(&waves[0]));
         assert!(waves[2].amplitude < 1e-12);
     }
 }
