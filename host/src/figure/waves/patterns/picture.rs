@@ -1,6 +1,7 @@
 //! How do patterns look? Reads surfaces and how their waves have grown; writes a picture, each box repeated beside itself.
 
-use super::{Course, Pattern, Surface};
+use super::course::{Course, Pattern};
+use super::surface::Surface;
 use crate::plot::text::{Align, Style};
 use crate::plot::{Axis, Colour, Field, Panel, Rect, Scene, Stroke, colour_bar};
 
