@@ -33,8 +33,8 @@ impl Rule<f64> for FallingRestitution {
     }
 }
 
-/// A layer of rough spheres on a plate z_0(t) = A_0 sin(2π f t), in a square box that is periodic. All contacts are events: theirs are rough
-/// hard spheres, too.
+/// A layer of rough spheres on a plate z_0(t) = A_0 sin(2π f t), in a square box that is periodic. All contacts are
+/// events, as in the runs of Bizon et al.
 ///
 /// # Units
 ///
